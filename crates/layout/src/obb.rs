@@ -25,6 +25,11 @@ impl Obb {
         let half = placement.scale / 2.0;
         Self { center: placement.pos + axes.column(1) * half.y, axes, half }
     }
+    /// An upright box.
+    pub(crate) fn upright(aabb: &Aabb) -> Self {
+        let half = (aabb.max - aabb.min) / 2.0;
+        Self { center: aabb.min + half, axes: Matrix3::identity(), half }
+    }
     /// The eight corners; bit 0 of the index says +x, bit 1 +y, bit 2 +z.
     pub fn corners(&self) -> [Vec3; 8] {
         std::array::from_fn(|i| {
@@ -53,6 +58,16 @@ impl Obb {
     pub fn support(&self, n: &Vec3) -> Vec3 {
         let local = self.axes.tr_mul(n).zip_map(&self.half, |d, h| if d < 0.0 { -h } else { h });
         self.center + self.axes * local
+    }
+    /// Whether it stands upright, turned about the vertical only.
+    fn is_upright(&self) -> bool {
+        let up = self.axes.column(1);
+        up.y == 1.0 && up.x == 0.0 && up.z == 0.0 && self.axes[(1, 0)] == 0.0 && self.axes[(1, 2)] == 0.0
+    }
+    /// The corners of its plan, at the height of its centre.
+    fn plan(&self) -> [Vec3; 4] {
+        let (right, front) = (self.axes.column(0) * self.half.x, self.axes.column(2) * self.half.z);
+        [right + front, right - front, front - right, -right - front].map(|off| self.center + off)
     }
     /// The smallest upright box that holds it.
     pub fn aabb(&self) -> Aabb {
@@ -84,12 +99,12 @@ impl Obb {
 
 /// The signed gap of two boxes.
 pub fn separation(a: &Obb, b: &Obb) -> Separation {
-    let axis = separating_axis(a, b);
+    let upright = a.is_upright() && b.is_upright();
+    let axis = separating_axis(a, b, upright);
     if axis.gap <= 0.0 {
         return axis;
     }
-    let (p, q) = nearest_points(a, b);
-    let way = q - p;
+    let way = if upright { between_upright(a, b) } else { way_between(a, b) };
     let distance = way.norm();
     // Where the axis already attains the distance its direction is the better one: the points may all but touch.
     if distance <= axis.gap + 1e-12 * (1.0 + axis.gap) {
@@ -105,17 +120,19 @@ pub fn apart(a: &Obb, b: &Obb, distance: f64) -> bool {
     let shows = |axis: &Vec3| between.dot(axis).abs() - a.reach(axis) - b.reach(axis) >= distance;
     let faces = (0..3).any(|i| shows(&a.axes.column(i).into()) || shows(&b.axes.column(i).into()));
     faces
-        || (0..3).any(|i| {
-            (0..3).any(|j| {
-                let cross = a.axes.column(i).cross(&b.axes.column(j));
-                let length = cross.norm();
-                length > 1e-9 && shows(&(cross / length))
+        || !(a.is_upright() && b.is_upright())
+            && (0..3).any(|i| {
+                (0..3).any(|j| {
+                    let cross = a.axes.column(i).cross(&b.axes.column(j));
+                    let length = cross.norm();
+                    length > 1e-9 && shows(&(cross / length))
+                })
             })
-        })
 }
 
-/// The best of the fifteen axes: exact where the boxes overlap, of the right sign and at most the distance where not.
-fn separating_axis(a: &Obb, b: &Obb) -> Separation {
+/// The best of the fifteen axes: exact where the boxes overlap, of the right sign and at most the distance where not. Edges
+/// of upright boxes span no faces but those that the boxes have.
+fn separating_axis(a: &Obb, b: &Obb, upright: bool) -> Separation {
     let between = b.center - a.center;
     let mut best = Separation { gap: f64::NEG_INFINITY, normal: Vec3::y() };
     let mut consider = |axis: Vec3| {
@@ -128,6 +145,9 @@ fn separating_axis(a: &Obb, b: &Obb) -> Separation {
     for i in 0..3 {
         consider(a.axes.column(i).into());
         consider(b.axes.column(i).into());
+    }
+    if upright {
+        return best;
     }
     for i in 0..3 {
         for j in 0..3 {
@@ -142,6 +162,32 @@ fn separating_axis(a: &Obb, b: &Obb) -> Separation {
     best
 }
 
+/// The way from one upright box to another that it does not overlap. Seen from above it begins or ends at a corner.
+fn between_upright(a: &Obb, b: &Obb) -> Vec3 {
+    let rise = b.center.y - a.center.y;
+    let height = (rise.abs() - a.half.y - b.half.y).max(0.0).copysign(rise);
+    let between = b.center - a.center;
+    let beside = |axis: &Vec3| between.dot(axis).abs() - a.reach(axis) > b.reach(axis);
+    if ![a, b].iter().any(|o| [0, 2].iter().any(|&k| beside(&o.axes.column(k).into()))) {
+        return Vec3::new(0.0, height, 0.0);
+    }
+    let to = |from: &Obb, corner: Vec3| {
+        let local = from.axes.tr_mul(&(corner - from.center));
+        let off = local - local.sup(&-from.half).inf(&from.half);
+        let off = from.axes.column(0) * off.x + from.axes.column(2) * off.z;
+        Vec3::new(off.x, height, off.z)
+    };
+    let ways = b.plan().into_iter().map(|q| to(a, q));
+    let ways = ways.chain(a.plan().into_iter().map(|p| to(b, p)).map(|way| Vec3::new(-way.x, height, -way.z)));
+    ways.reduce(|best, next| if next.norm_squared() < best.norm_squared() { next } else { best }).unwrap_or(between)
+}
+
+/// The way from a point of one box to the nearest one of another that it does not overlap.
+fn way_between(a: &Obb, b: &Obb) -> Vec3 {
+    let (p, q) = nearest_points(a, b);
+    q - p
+}
+
 /// The nearest points of two boxes that do not overlap.
 fn nearest_points(a: &Obb, b: &Obb) -> (Vec3, Vec3) {
     let of_corners = a.corners().into_iter().map(|p| (p, b.nearest(&p)));
@@ -154,12 +200,12 @@ fn nearest_points(a: &Obb, b: &Obb) -> (Vec3, Vec3) {
     if slab >= distance * (1.0 - 1e-12) {
         return (p, q);
     }
-    let edges = b.edges().map(Edge::of);
+    let edges: Vec<Edge> = edges_of(b);
     let mut best = (p, q);
     let mut least = distance;
-    for e in a.edges().map(Edge::of) {
+    for e in edges_of(a) {
         for f in &edges {
-            if e.apart(f) > least + CERTAIN {
+            if e.apart_squared(f) > (least + CERTAIN).powi(2) {
                 continue;
             }
             let next = nearer(best, nearest_of_segments([&e.ends[0], &e.ends[1]], [&f.ends[0], &f.ends[1]]));
@@ -169,6 +215,13 @@ fn nearest_points(a: &Obb, b: &Obb) -> (Vec3, Vec3) {
         }
     }
     best
+}
+
+/// The edges of a box. One without width has fewer: the others are corners, or the same again.
+fn edges_of(obb: &Obb) -> Vec<Edge> {
+    let mut edges: Vec<[Vec3; 2]> = obb.edges().into_iter().filter(|[p, q]| p != q).collect();
+    edges.dedup();
+    edges.into_iter().map(Edge::of).collect()
 }
 
 /// What is farther by so much (metres) is farther, whatever is rounded.
@@ -187,9 +240,9 @@ impl Edge {
         Self { ends, around }
     }
 
-    /// Two are at least so far apart.
-    fn apart(&self, other: &Self) -> f64 {
-        self.around.distance(&other.around)
+    /// Two are at least as far apart as the root of this.
+    fn apart_squared(&self, other: &Self) -> f64 {
+        self.around.distance_squared(&other.around)
     }
 }
 

@@ -84,6 +84,10 @@ impl Aabb {
     }
     /// The distance between two, 0 where they overlap: never more than the gap of what they hold.
     pub fn distance(&self, other: &Self) -> f64 {
-        (self.min - other.max).sup(&(other.min - self.max)).sup(&Vec3::zeros()).norm()
+        self.distance_squared(other).sqrt()
+    }
+    /// The square of it.
+    pub fn distance_squared(&self, other: &Self) -> f64 {
+        (self.min - other.max).sup(&(other.min - self.max)).sup(&Vec3::zeros()).norm_squared()
     }
 }

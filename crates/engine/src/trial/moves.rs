@@ -38,6 +38,7 @@ impl Trial<'_> {
         let (rx, rz) = ((cos.abs() * w + sin.abs() * d) / 2.0, (sin.abs() * w + cos.abs() * d) / 2.0);
         let span = Span { min: [x - rx, low, z - rz], max: [x + rx, high, z + rz] };
         self.span[i] = if self.away[i] { Span::NONE } else { span };
+        self.near.follow(i, &self.span[i]);
         self.has_moved(i);
     }
 
@@ -134,6 +135,7 @@ impl Trial<'_> {
         while let Some((i, inputs, span)) = self.moved.pop() {
             self.slots.put(ObjectId(i as u32), inputs);
             self.span[i] = span;
+            self.near.follow(i, &span);
             self.has_moved(i);
         }
     }

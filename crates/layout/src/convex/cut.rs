@@ -27,7 +27,7 @@ pub(super) fn above(body: &Convex, height: f64) -> Option<Convex> {
     // Where an edge comes through the cut: once, for the two faces that share it.
     let mut through: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     let mut faces: Vec<Face> = Vec::new();
-    for face in &body.faces {
+    for face in body.faces() {
         let mut corners: Vec<u32> = Vec::new();
         for (i, &a) in face.corners.iter().enumerate() {
             let b = face.corners[(i + 1) % face.corners.len()];

@@ -88,12 +88,12 @@ fn best_axis(a: &Convex, b: &Convex) -> Separation {
         best.gap
     };
     let mut gap = f64::NEG_INFINITY;
-    for normal in a.faces.iter().map(|f| f.normal).chain(b.faces.iter().map(|f| -f.normal)) {
+    for normal in a.faces().iter().map(|f| f.normal).chain(b.faces().iter().map(|f| -f.normal)) {
         gap = consider(normal);
     }
-    for x in &a.edges {
+    for x in &a.sides().edges {
         let [p, p2] = a.ends(x);
-        for y in &b.edges {
+        for y in &b.sides().edges {
             let [q, q2] = b.ends(y);
             let cross = (p2 - p).cross(&(q2 - q));
             let length = cross.norm();
@@ -129,9 +129,9 @@ fn of_features(a: &Convex, b: &Convex) -> Option<(Vec3, Vec3)> {
             best = Some((distance, pair));
         }
     };
-    for x in &a.edges {
+    for x in &a.sides().edges {
         let [p, p2] = a.ends(x);
-        for y in &b.edges {
+        for y in &b.sides().edges {
             let [q, q2] = b.ends(y);
             consider(nearest_of_segments([&p, &p2], [&q, &q2]));
         }
@@ -147,7 +147,7 @@ fn of_features(a: &Convex, b: &Convex) -> Option<(Vec3, Vec3)> {
 
 /// The feet of the perpendiculars from `p` to those faces of a body that it is in front of.
 fn above_faces<'a>(body: &'a Convex, p: &'a Vec3) -> impl Iterator<Item = Vec3> + 'a {
-    body.faces.iter().filter_map(move |face| {
+    body.faces().iter().filter_map(move |face| {
         let corners: Vec<Vec3> = body.face_corners(face).collect();
         let height = face.normal.dot(&(p - corners[0]));
         let foot = p - face.normal * height;

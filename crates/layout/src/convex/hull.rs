@@ -1,6 +1,6 @@
 //! Convex hulls: parry's triangles, joined into flat faces and checked.
 
-use super::{Convex, Edge, Face};
+use super::{Convex, Edge, Face, Surface};
 use crate::Vec3;
 use crate::planar::{Vec2, convex_hull};
 use crate::separation::Aabb;
@@ -38,11 +38,11 @@ pub(super) fn hull(points: &[Vec3]) -> Option<Convex> {
         let height = body.vertices[f.corners[0] as usize].dot(&f.normal);
         unit.iter().all(|p| p.dot(&f.normal) <= height + 1e-7)
     };
-    if !body.faces.iter().all(holds) {
+    if !body.faces().iter().all(holds) {
         return None;
     }
     let vertices: Vec<Vec3> = body.vertices.iter().map(|v| v * size + middle).collect();
-    Some(Convex { aabb: Aabb::of(vertices.iter().copied()), vertices, ..body })
+    Some(Convex::new(vertices, body.surface))
 }
 
 /// Whether points of unit size lie in one plane, or nearly.
@@ -93,7 +93,7 @@ fn join(corners: &[Vec3], triangles: &[[u32; 3]]) -> Option<Convex> {
         .collect();
     let faces: Vec<Face> = faces.into_iter().map(|(normal, at)| outline(corners, normal, at)).collect();
     let flat = faces.len() < 4 || faces.iter().any(|f| f.corners.len() < 3);
-    (!flat).then(|| Convex { aabb: Aabb::of([]), vertices: corners.to_vec(), faces, edges, obb: None })
+    (!flat).then(|| Convex::new(corners.to_vec(), Surface::new(faces, edges)))
 }
 
 /// The corners of a face in order, without those within.

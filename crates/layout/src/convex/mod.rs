@@ -13,12 +13,16 @@ pub use hull::MAX_HULL_POINTS;
 pub use solid::{Geometry, Nearest, aabb, local_solid, nearest, parts_fill_box, solid};
 
 use crate::separation::{Aabb, Separation, contact, highest};
-use crate::{Obb, Part, Vec3, rotation};
+use crate::{Obb, Part, Vec3, obb, rotation};
 use nalgebra::Matrix3;
 use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
 
 /// How many sides a cylinder has as a solid.
 pub const CYLINDER_SIDES: usize = 24;
+
+/// By how much the gap of two bodies that are no boxes may be off (metres, and for each metre).
+const ROUNDED: f64 = 1e-6;
 
 /// A face of a convex polyhedron.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,20 +43,68 @@ pub(crate) struct Edge {
 }
 
 /// A convex polyhedron.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Convex {
     /// Its corners.
     vertices: Vec<Vec3>,
-    faces: Vec<Face>,
-    edges: Vec<Edge>,
+    surface: Surface,
     aabb: Aabb,
-    /// Where it is a box: which.
-    obb: Option<Obb>,
+    /// A box around it, and whether it is that.
+    around: Obb,
+    is_box: bool,
 }
 
-impl Convex {
-    /// A box.
-    pub fn from_box(obb: &Obb) -> Self {
+/// The faces and edges of a body. Of most bodies nobody asks for them, so they are worked out when somebody does.
+#[derive(Clone, Debug)]
+struct Surface {
+    from: Origin,
+    sides: OnceLock<Arc<Sides>>,
+}
+
+/// What faces and edges are worked out from.
+#[derive(Clone, Debug)]
+enum Origin {
+    /// They are there.
+    Given,
+    /// The axes of a box.
+    Box(Matrix3<f64>),
+    /// Those of the same body before it was turned, and how it was.
+    Turned(Arc<Sides>, Matrix3<f64>),
+}
+
+/// Faces and edges.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Sides {
+    faces: Vec<Face>,
+    edges: Vec<Edge>,
+}
+
+impl Surface {
+    fn new(faces: Vec<Face>, edges: Vec<Edge>) -> Self {
+        Self { from: Origin::Given, sides: OnceLock::from(Arc::new(Sides { faces, edges })) }
+    }
+
+    fn of_box(axes: Matrix3<f64>) -> Self {
+        Self { from: Origin::Box(axes), sides: OnceLock::new() }
+    }
+
+    fn sides(&self) -> &Arc<Sides> {
+        self.sides.get_or_init(|| {
+            Arc::new(match &self.from {
+                Origin::Given => Sides::default(),
+                Origin::Box(axes) => Sides::of_box(axes),
+                Origin::Turned(sides, axes) => sides.turned(axes),
+            })
+        })
+    }
+
+    fn turned(&self, axes: &Matrix3<f64>) -> Self {
+        Self { from: Origin::Turned(Arc::clone(self.sides()), *axes), sides: OnceLock::new() }
+    }
+}
+
+impl Sides {
+    fn of_box(axes: &Matrix3<f64>) -> Self {
         const FACES: [[u32; 4]; 6] =
             [[1, 3, 7, 5], [0, 4, 6, 2], [2, 6, 7, 3], [0, 1, 5, 4], [4, 5, 7, 6], [0, 2, 3, 1]];
         /// Ends, and the faces on either side: what [`Self::from_faces`] would find.
@@ -70,16 +122,37 @@ impl Convex {
             ([5, 7], [0, 4]),
             ([6, 7], [2, 4]),
         ];
-        let normal =
-            |i: usize| if i.is_multiple_of(2) { obb.axes.column(i / 2).into() } else { -obb.axes.column(i / 2) };
+        let normal = |i: usize| if i.is_multiple_of(2) { axes.column(i / 2).into() } else { -axes.column(i / 2) };
         let face = |(i, corners): (usize, &'static [u32; 4])| Face { normal: normal(i), corners: corners.into() };
         Self {
-            vertices: obb.corners().to_vec(),
             faces: FACES.iter().enumerate().map(face).collect(),
             edges: EDGES.iter().map(|&(ends, sides)| Edge { ends, normals: sides.map(normal) }).collect(),
-            aabb: Aabb::of(obb.corners()),
-            obb: Some(*obb),
         }
+    }
+
+    fn turned(&self, axes: &Matrix3<f64>) -> Self {
+        let turned = |f: &Face| Face { normal: axes * f.normal, corners: f.corners.clone() };
+        Self {
+            faces: self.faces.iter().map(turned).collect(),
+            edges: self.edges.iter().map(|e| Edge { normals: e.normals.map(|n| axes * n), ..*e }).collect(),
+        }
+    }
+}
+
+impl PartialEq for Convex {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertices == other.vertices
+            && self.surface.sides() == other.surface.sides()
+            && self.as_box() == other.as_box()
+    }
+}
+
+impl Convex {
+    /// A box.
+    pub fn from_box(obb: &Obb) -> Self {
+        let vertices = obb.corners().to_vec();
+        let aabb = Aabb::of(vertices.iter().copied());
+        Self { aabb, vertices, surface: Surface::of_box(obb.axes), around: *obb, is_box: true }
     }
 
     /// An upright cylinder about `center`, turned by `axes`.
@@ -100,7 +173,8 @@ impl Convex {
             .collect();
         faces.push(Face { normal: -axes.column(1), corners: (0..n).collect() });
         faces.push(Face { normal: axes.column(1).into(), corners: (n..2 * n).collect() });
-        Self::from_faces(vertices, faces)
+        let around = Obb { center: *center, axes: *axes, half: Vec3::new(radius, height / 2.0, radius) };
+        Self { around, ..Self::from_faces(vertices, faces) }
     }
 
     /// The convex hull of points; `None` where they are fewer than four, nearly in one plane, or more than
@@ -134,19 +208,27 @@ impl Convex {
             .chunk_by(|x, y| x.0 == y.0)
             .filter_map(|pair| Some(Edge { ends: pair[0].0, normals: [pair[0].1, pair.get(1)?.1] }))
             .collect();
-        Self { aabb: Aabb::of(vertices.iter().copied()), vertices, faces, edges, obb: None }
+        Self::new(vertices, Surface::new(faces, edges))
+    }
+
+    fn new(vertices: Vec<Vec3>, surface: Surface) -> Self {
+        let aabb = Aabb::of(vertices.iter().copied());
+        Self { aabb, vertices, surface, around: Obb::upright(&aabb), is_box: false }
     }
 
     /// The same body turned by `axes` (about the origin), then moved by `by`.
     pub fn moved(&self, axes: &Matrix3<f64>, by: &Vec3) -> Self {
         let vertices: Vec<Vec3> = self.vertices.iter().map(|v| axes * v + by).collect();
-        let turned = |f: &Face| Face { normal: axes * f.normal, corners: f.corners.clone() };
         Self {
             aabb: Aabb::of(vertices.iter().copied()),
             vertices,
-            faces: self.faces.iter().map(turned).collect(),
-            edges: self.edges.iter().map(|e| Edge { normals: e.normals.map(|n| axes * n), ..*e }).collect(),
-            obb: self.obb.map(|o| Obb { center: axes * o.center + by, axes: axes * o.axes, half: o.half }),
+            surface: self.surface.turned(axes),
+            around: Obb {
+                center: axes * self.around.center + by,
+                axes: axes * self.around.axes,
+                half: self.around.half,
+            },
+            is_box: self.is_box,
         }
     }
 
@@ -161,11 +243,14 @@ impl Convex {
     }
     /// The ends of its edges.
     pub fn edges(&self) -> impl Iterator<Item = [Vec3; 2]> {
-        self.edges.iter().map(|edge| edge.ends.map(|i| self.vertices[i as usize]))
+        self.sides().edges.iter().map(|edge| self.ends(edge))
     }
     /// Its faces.
     pub fn faces(&self) -> &[Face] {
-        &self.faces
+        &self.sides().faces
+    }
+    fn sides(&self) -> &Sides {
+        self.surface.sides()
     }
     /// The corners of a face, in order round it.
     pub fn face_corners<'a>(&'a self, face: &'a Face) -> impl Iterator<Item = Vec3> + 'a {
@@ -177,7 +262,13 @@ impl Convex {
     }
     /// Which box it is, if it is one.
     pub fn as_box(&self) -> Option<&Obb> {
-        self.obb.as_ref()
+        self.is_box.then_some(&self.around)
+    }
+    /// Whether it is certain that another body is at least so far away (metres): an axis of the boxes around them shows it.
+    fn is_apart(&self, other: &Self, distance: f64) -> bool {
+        // The gap of two boxes is no less than what an axis shows; that of others is less by what is rounded.
+        let certain = if self.is_box && other.is_box { distance } else { distance + ROUNDED * (1.0 + distance.abs()) };
+        obb::apart(&self.around, &other.around, certain)
     }
     /// The greatest height along `n`.
     pub fn support_height(&self, n: &Vec3) -> f64 {
@@ -205,7 +296,7 @@ mod tests {
             half: Vec3::new(0.5, 1.0, 1.5),
         };
         let body = Convex::from_box(&obb);
-        let found = Convex::from_faces(body.vertices.clone(), body.faces.clone());
-        assert_eq!(body, Convex { obb: Some(obb), ..found });
+        let found = Convex::from_faces(body.vertices.clone(), body.faces().to_vec());
+        assert_eq!(body, Convex { around: obb, is_box: true, ..found });
     }
 }

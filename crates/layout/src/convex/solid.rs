@@ -2,11 +2,14 @@
 
 use super::{Convex, separation};
 use crate::separation::{Aabb, Separation};
-use crate::{Obb, Placement, Vec3, obb, rotation};
+use crate::{Obb, Placement, Vec3, rotation};
 use nalgebra::Matrix3;
 
 /// How far the common box of the parts may differ from the object's box at any face, in metres.
 const PARTS_TOLERANCE: f64 = 1e-3;
+
+/// A little more than one: what is greater than another by this factor is so whatever is rounded.
+const ROUNDED: f64 = 1.0 + 1e-12;
 
 /// What stands for an object where solids meet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,23 +69,22 @@ pub struct Nearest {
 /// The least signed gap over pairs of parts; `None` only where a solid has no part.
 pub fn nearest(a: &[Convex], b: &[Convex]) -> Option<Nearest> {
     // The pair whose boxes are nearest tells which others need a look; these are few, and only they are sorted.
-    let first = nearest_boxes(a, b)?;
+    let around = aabb(b);
+    let first = nearest_boxes(a, b, &around)?;
     let of = |[i, j]: [usize; 2]| (&a[i], &b[j]);
     let look = |parts: [usize; 2]| {
         let (x, y) = of(parts);
         Nearest { separation: separation(x, y), parts }
     };
     let mut best = look(first);
-    let mut pairs = pairs_within(a, b, best.separation.gap.max(0.0));
+    let mut pairs = pairs_within(a, (b, &around), best.separation.gap.max(0.0));
     pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
     for (bound, parts) in pairs {
         if bound > best.separation.gap.max(0.0) {
             break;
         }
         let (x, y) = of(parts);
-        // An axis that shows as much shows that it is no less.
-        let farther = |x, y| obb::apart(x, y, best.separation.gap);
-        if parts == first || x.as_box().zip(y.as_box()).is_some_and(|(x, y)| farther(x, y)) {
+        if parts == first || x.is_apart(y, best.separation.gap) {
             continue;
         }
         let next = look(parts);
@@ -94,17 +96,19 @@ pub fn nearest(a: &[Convex], b: &[Convex]) -> Option<Nearest> {
 }
 
 /// The parts whose upright boxes are nearest to each other; the first of equals.
-fn nearest_boxes(a: &[Convex], b: &[Convex]) -> Option<[usize; 2]> {
-    let around = aabb(b);
+fn nearest_boxes(a: &[Convex], b: &[Convex], around: &Aabb) -> Option<[usize; 2]> {
     let mut best: Option<(f64, [usize; 2])> = None;
+    // What is farther by more than rounding is told from the squares.
+    let mut most = f64::INFINITY;
     for (i, x) in a.iter().enumerate() {
-        if best.is_some_and(|(least, _)| x.aabb().distance(&around) > least) {
+        if x.aabb().distance_squared(around) > most {
             continue;
         }
         for (j, y) in b.iter().enumerate() {
-            let bound = x.aabb().distance(y.aabb());
-            if best.is_none_or(|(least, _)| bound < least) {
-                best = Some((bound, [i, j]));
+            let squared = x.aabb().distance_squared(y.aabb());
+            if squared <= most && best.is_none_or(|(least, _)| squared.sqrt() < least) {
+                best = Some((squared.sqrt(), [i, j]));
+                most = squared * ROUNDED;
             }
         }
     }
@@ -112,12 +116,16 @@ fn nearest_boxes(a: &[Convex], b: &[Convex]) -> Option<[usize; 2]> {
 }
 
 /// The pairs of parts whose upright boxes are no farther apart than `most` (metres), with how far they are.
-fn pairs_within(a: &[Convex], b: &[Convex], most: f64) -> Vec<(f64, [usize; 2])> {
-    let around = aabb(b);
+fn pairs_within(a: &[Convex], (b, around): (&[Convex], &Aabb), most: f64) -> Vec<(f64, [usize; 2])> {
     let mut pairs = Vec::new();
-    for (i, x) in a.iter().enumerate().filter(|(_, x)| x.aabb().distance(&around) <= most) {
-        let bounds = b.iter().enumerate().map(|(j, y)| (x.aabb().distance(y.aabb()), [i, j]));
-        pairs.extend(bounds.filter(|(bound, _)| *bound <= most));
+    let squared = most * most * ROUNDED;
+    for (i, x) in a.iter().enumerate().filter(|(_, x)| x.aabb().distance_squared(around) <= squared) {
+        for (j, y) in b.iter().enumerate().filter(|(_, y)| x.aabb().distance_squared(y.aabb()) <= squared) {
+            let bound = x.aabb().distance(y.aabb());
+            if bound <= most {
+                pairs.push((bound, [i, j]));
+            }
+        }
     }
     pairs
 }

@@ -83,6 +83,18 @@ proptest! {
     }
 
     #[test]
+    fn upright_boxes_have_the_gap_that_their_faces_prove(
+        [a, b] in [boxes(), boxes()],
+        turns in prop::array::uniform2(prop_oneof![Just(0.0), Just(90.0), -180.0..180.0]),
+    ) {
+        let upright = |o: Obb, turn: f64| Obb { axes: rotation::matrix(Vec3::y() * turn), ..o };
+        let (a, b) = (upright(a, turns[0]), upright(b, turns[1]));
+        let s = obb::separation(&a, &b);
+        check(&Convex::from_box(&a), &Convex::from_box(&b), &s, 1e-10)?;
+        prop_assert!((obb::separation(&b, &a).gap - s.gap).abs() < 1e-12);
+    }
+
+    #[test]
     fn polyhedra_have_the_gap_that_their_faces_prove(a in bodies(), b in bodies()) {
         let s = convex::separation(&a, &b);
         check(&a, &b, &s, 1e-7)?;

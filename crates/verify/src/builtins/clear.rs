@@ -180,21 +180,26 @@ fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
     })
 }
 
-/// The other object nearest to the space.
+/// The other object nearest to the space; the first of equals.
 fn nearest_body<N: Number>(world: &World<N>, space: &Convex, own: ObjectId) -> Option<(ObjectId, Nearest)> {
-    let mut best: Option<(ObjectId, Nearest)> = None;
-    for (id, body) in world.bodies().filter(|(id, _)| *id != own) {
-        let bound = space.aabb().distance(&body.aabb());
-        if best.is_some_and(|(_, n)| bound > n.separation.gap.max(0.0)) {
+    let others = || world.bodies().filter(|(id, _)| *id != own);
+    let bound = |body: &Body| space.aabb().distance_squared(&body.aabb());
+    let look = |body: &Body| convex::nearest(std::slice::from_ref(space), body.solid());
+    // The one whose box is nearest tells which others need a look: few.
+    let (first, body) = others().min_by(|(_, a), (_, b)| bound(a).total_cmp(&bound(b)))?;
+    let mut best = (first, look(body)?);
+    for (id, body) in others().filter(|(id, _)| *id != first) {
+        let least = best.1.separation.gap;
+        if bound(body).sqrt() > least.max(0.0) {
             continue;
         }
-        if let Some(found) = convex::nearest(std::slice::from_ref(space), body.solid())
-            && best.is_none_or(|(_, n)| found.separation.gap < n.separation.gap)
+        if let Some(found) = look(body)
+            && (found.separation.gap < least || found.separation.gap == least && id < best.0)
         {
-            best = Some((id, found));
+            best = (id, found);
         }
     }
-    best
+    Some(best)
 }
 
 /// The region that the space must stay in: the one that best contains the object; before and behind a door the one on

@@ -83,7 +83,8 @@ fn nearest_blocker<N: Number>(world: &World<N>, sight: &Obb, ends: [ObjectId; 2]
     let others = world.bodies().filter(|(id, _)| !ends.contains(id));
     for (id, Body { obb: other, .. }) in others {
         let far = |s: &Separation| around.distance(&other.aabb()) > s.gap.max(0.0);
-        if best.as_ref().is_some_and(|(_, s)| far(s)) {
+        // An axis that shows as much shows that it is no nearer.
+        if best.as_ref().is_some_and(|(_, s)| far(s) || obb::apart(sight, other, s.gap)) {
             continue;
         }
         let separation = obb::separation(sight, other);

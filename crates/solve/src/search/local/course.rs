@@ -1,6 +1,7 @@
-//! The course of a local search: a first layout, then step after step; where nothing gets better for long, all begins
-//! anew. It can be interrupted and taken up again.
+//! The course of a local search: a first layout, then step after step; where nothing gets better for long, a part of the best
+//! layout is built anew (`ruin`), and after a few of these all of it. It can be interrupted and taken up again.
 
+use super::ruin::Lineage;
 use super::{Home, LocalSearch};
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::limit::Limit;
@@ -17,6 +18,11 @@ const FULL: [f64; 2] = [0.5, 0.9];
 /// How much more work paths are worth than all else, and what that takes at least.
 const WALKING: u64 = 5;
 const SOON: u64 = 150_000;
+/// The part of the patience for a turn that began from a part of a layout, since what is to be found there is found soon, and
+/// how much longer paths may be barred in it.
+const REBUILT: [f64; 2] = [0.25, 3.0];
+/// Turns in which things stand as they do worse come once in so many, and if they do much worse, once in so many.
+const RARELY: [u32; 2] = [4, 16];
 /// Paths that are barred by no more than this part of what they were are worth going on for.
 const LESS: f64 = 0.9;
 /// How far a search is.
@@ -24,6 +30,10 @@ const LESS: f64 = 0.9;
 pub(super) struct Course {
     /// How often all was begun anew.
     pub(super) turn: u32,
+    /// The best layout since then, parts of which are built anew.
+    pub(super) lineage: Lineage,
+    /// Whether the present turn began from a part of that.
+    pub(super) is_rebuilt: bool,
     /// Whether the present turn goes on, and whether it began from places that were given.
     open: bool,
     warm: bool,
@@ -53,32 +63,15 @@ impl LocalSearch<'_> {
         let mut poses = Vec::new();
         loop {
             if !self.course.open {
-                let given = if self.course.turn == 0 { given } else { &[] };
-                let skew = self.next_is_skew() || given.contains(&true);
-                self.skew = skew && self.course.turn > 0;
-                self.stacks = self.course.turn % 4 == 3 && self.covered() >= FULL[1];
-                self.air = if self.is_other { 0.0 } else { self.widest_path() };
-                self.begin(chance, given, &late);
-                self.skew = skew;
-                let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
-                let (begun, walking_since) = (self.trial.work, self.trial.work);
-                self.course = Course {
-                    turn: turn + 1,
-                    open: true,
-                    warm: given.contains(&true),
-                    idle: 0,
-                    least: usize::MAX,
-                    begun,
-                    walking_since,
-                    freed: walking_since,
-                    barred: f64::INFINITY,
-                    least_of,
-                    best,
-                };
+                if self.may_ruin() {
+                    self.ruin(chance, &late);
+                } else {
+                    self.begin_anew(chance, given, &late);
+                }
             }
             // Square turns and others come in pairs of the same length.
-            let turn = luby(self.course.turn.div_ceil(2));
-            let patience = patience.map(|steps| (steps * turn) as usize);
+            let turn = if self.course.is_rebuilt { REBUILT } else { [luby(self.course.turn.div_ceil(2)); 2] };
+            let patience = patience.map(|steps| (steps * turn[0]) as usize);
             // What has its place already is not given up so soon.
             while self.trial.work < end
                 && !late()
@@ -91,7 +84,7 @@ impl LocalSearch<'_> {
                     self.trial.plan_missing(&late);
                     (self.course.walking_since, self.course.idle, self.course.least) = (self.trial.work, 0, usize::MAX);
                 }
-                if self.is_done(&late) || self.bars_paths(turn) {
+                if self.is_done(&late) || self.bars_paths(turn[1]) {
                     break;
                 }
                 self.step(chance, &mut poses);
@@ -108,13 +101,43 @@ impl LocalSearch<'_> {
         }
     }
 
+    /// Begins a turn with a new layout.
+    fn begin_anew(&mut self, chance: &mut ChaCha8Rng, given: &[bool], late: &dyn Fn() -> bool) {
+        let given = if self.course.turn == 0 { given } else { &[] };
+        let skew = self.next_is_skew() || given.contains(&true);
+        self.skew = skew && self.course.turn > 0;
+        self.stacks = self.course.turn % 4 == 3 && self.covered() >= FULL[1];
+        self.air = if self.is_other { 0.0 } else { self.widest_path() };
+        self.course.is_rebuilt = false;
+        let begun = self.trial.work;
+        self.begin(chance, given, late);
+        self.skew = skew;
+        let Course { turn, best, least_of, .. } = std::mem::take(&mut self.course);
+        let lineage = Lineage::begun_at(begun);
+        self.course =
+            Course { turn: turn + 1, warm: given.contains(&true), least_of, best, lineage, ..Course::default() };
+        self.open_turn();
+    }
+
+    /// A turn begins here.
+    pub(super) fn open_turn(&mut self) {
+        let now = self.trial.work;
+        let course = &mut self.course;
+        (course.open, course.idle, course.least) = (true, 0, usize::MAX);
+        (course.begun, course.walking_since, course.freed, course.barred) = (now, now, now, f64::INFINITY);
+    }
+
     /// Whether things may stand askew in the next turn. They stand square at first: that is what people expect, and rows of
     /// them do not drift. What does better is done more often from then on.
     fn next_is_skew(&self) -> bool {
         let Course { turn, least_of: [square, skew], .. } = &self.course;
         let other = (turn % 2 == 1) != self.is_other;
         match (square, skew) {
-            (Some(square), Some(skew)) if square != skew => (skew < square) != (turn % 4 == 3),
+            (Some(square), Some(skew)) if square != skew => {
+                let much = *square.max(skew) > 2 * *square.min(skew);
+                let rarely = RARELY[usize::from(much)];
+                (skew < square) != (turn % rarely == rarely - 1)
+            }
             _ => other,
         }
     }
@@ -150,6 +173,7 @@ impl LocalSearch<'_> {
     fn note_best(&mut self) {
         let bad = self.trial.bad.len() + if self.walking { 0 } else { self.trial.path_count() };
         let barred = self.trial.walks.iter().map(|(t, _)| self.trial.cost[*t]).sum::<f64>();
+        self.note_lineage(bad);
         let course = &mut self.course;
         course.idle = if bad < course.least { 0 } else { course.idle + 1 };
         course.least = course.least.min(bad);

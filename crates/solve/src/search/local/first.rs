@@ -31,7 +31,9 @@ impl LocalSearch<'_> {
         let mut waiting: Vec<usize> = self.trial.movable.iter().copied().filter(is_new).collect();
         self.trial.away.fill(false);
         let is_warm = waiting.is_empty();
-        if !is_warm {
+        // What is built anew in a part of a layout keeps out of the corridors that there are.
+        let is_rebuilt = self.course.is_rebuilt;
+        if !(is_warm || is_rebuilt && self.walking) {
             self.trial.forget_paths();
         }
         self.trial.trust_paths();
@@ -46,6 +48,12 @@ impl LocalSearch<'_> {
         }
         self.trial.away_count = self.trial.away.iter().filter(|a| **a).count();
         self.trial.judge_all();
+        if is_rebuilt && self.walking {
+            self.trial.judge_paths();
+            if chance.below(2) == 0 {
+                self.trial.plan_barred();
+            }
+        }
         self.settle_variables(chance);
         let factor: Vec<f64> = (0..self.trial.count()).map(|_| chance.between(0.7, 1.3)).collect();
         let company = chance.between(0.0, 1.0);
@@ -55,7 +63,7 @@ impl LocalSearch<'_> {
         }
         let mut poses = Vec::new();
         // What stands together is built as one piece where paths are to lead past it, and it proved hard without.
-        let as_one = !is_warm && self.course.turn > 0 && self.air > 0.0 && self.is_clustered;
+        let as_one = !is_warm && !is_rebuilt && self.course.turn > 0 && self.air > 0.0 && self.is_clustered;
         let mut begun = None;
         while !waiting.is_empty() {
             let rank = |i: usize| {
@@ -82,8 +90,11 @@ impl LocalSearch<'_> {
         if as_one {
             self.arrange_clusters(chance, late);
         }
-        let early = self.is_other && self.course.turn % 4 < 2 && !is_warm && self.covered() >= CROWDED;
-        self.walking = early || (is_warm || as_one) && self.trial.bad.is_empty() || self.trial.path_count() == 0;
+        let early = self.is_other && !is_rebuilt && self.course.turn % 4 < 2 && !is_warm && self.covered() >= CROWDED;
+        self.walking = is_rebuilt && self.walking
+            || early
+            || (is_warm || as_one) && self.trial.bad.is_empty()
+            || self.trial.path_count() == 0;
         if self.walking {
             self.trial.judge_paths();
             self.trial.plan_missing(late);

@@ -10,6 +10,7 @@ mod moves;
 mod optimise;
 mod preferences;
 mod rearrange;
+mod ruin;
 mod setup;
 mod step;
 #[cfg(test)]

@@ -23,6 +23,9 @@ const STUBBORN: f64 = 0.5;
 /// many such rounds in a row are the end, at the usual quality.
 const PATIENCE: [usize; 2] = [20, 100];
 const ROUNDS: f64 = 5.0;
+/// How many times more rounds there are for what is unmet, if that is all of the weight: the more there is to gain, the longer
+/// it is tried.
+const UNMET: f64 = 8.0;
 /// The work that it may take for each object, at the usual quality.
 const WORK: f64 = 300_000.0;
 /// How often another check is drawn where the first was a preference and something that must hold does not.
@@ -44,11 +47,12 @@ impl LocalSearch<'_> {
         let (mut best, mut found) = (self.standing(preferences), self.found());
         let mut real = self.standing_with_paths(preferences);
         let patience = PATIENCE[0] * self.trial.count() + PATIENCE[1];
-        let most = (ROUNDS * quality).ceil() as usize;
+        let all = preferences.iter().map(|p| p.weight).sum::<f64>().max(1e-12);
+        let most = |met: f64| (ROUNDS * quality * (1.0 + UNMET * (1.0 - met / all))).ceil() as usize;
         let end = end.min(self.trial.work + (WORK * quality * self.trial.count() as f64) as u64);
         let (mut idle, mut rounds) = (0, 0);
         let mut poses = Vec::new();
-        while self.trial.work < end && !limit.is_over() && rounds < most && !self.trial.bad.is_empty() {
+        while self.trial.work < end && !limit.is_over() && rounds < most(best.met) && !self.trial.bad.is_empty() {
             self.step(chance, &mut poses);
             idle += 1;
             if self.is_allowed() {

@@ -133,6 +133,33 @@ fn what_is_believed_after_many_moves_is_what_is_found_anew() {
     }
 }
 
+#[test]
+fn what_is_built_anew_leaves_the_rest_where_it_was() {
+    // Two that cannot both be so near to the third: the search is stuck at once.
+    let text = "region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(9, 3, 9); object a[40];
+        assert forall x in a: inside(x, room); assert distance(a[0], a[1]) <= 1; assert distance(a[0], a[1]) >= 2;";
+    let compiled = compile_text("s.scene", Path::new("s.scene"), text, Reading::default());
+    let program = compiled.program.as_ref().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+    let problem = Problem { program, start: Layout::default(), placed: Placed::None };
+    let setup = setup(&problem, &Options::default());
+    let state = Candidate::new(&setup.frame, setup.world.clone());
+    let mut local = LocalSearch::new(&setup.frame, &setup.world, state.numbering, false);
+    let mut chance = ChaCha8Rng::seed_from_u64(3);
+    assert!(!local.search(&mut chance, 1_500_000, &Limit::default(), &[]));
+    let (least, before) = local.best_of_lineage().expect("all but one of the statements can hold");
+    assert_eq!(least, 1);
+    let mut moved = [0; 40];
+    for _ in 0..20 {
+        local.ruin(&mut chance, &|| false);
+        assert!(local.trial.away.iter().all(|away| !away));
+        let elsewhere: Vec<usize> = (0..40).filter(|&i| local.trial.inputs(i) != before[i]).collect();
+        assert!((1..=7).contains(&elsewhere.len()), "{elsewhere:?}");
+        elsewhere.into_iter().for_each(|i| moved[i] += 1);
+    }
+    // What is at fault is taken away each time.
+    assert!(moved[0] + moved[1] >= 20, "{moved:?}");
+}
+
 /// A cupboard whose door turns about the vertical, with a drawer under it and a flap above.
 fn cupboard() -> Placement {
     let part = |y: f64, h: f64, z: f64, d: f64| Part::Box {
