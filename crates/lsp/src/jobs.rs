@@ -201,21 +201,21 @@ pub struct Running {
 }
 
 /// How the result of a job is used.
-pub type Finish = Box<dyn FnOnce(&mut State, &Id, Outcome) + Send>;
+pub type Finish<T> = Box<dyn FnOnce(&mut State, &Id, T) + Send>;
 
 impl State {
     /// Begins long work about a program. `given`: the token of the client for its progress, if it has one.
     ///
     /// # Errors
     /// There is no such program, or it has errors.
-    pub fn begin(
+    pub fn begin<T: Send + 'static>(
         &mut self,
         id: &Id,
         uri: &str,
         title: &str,
         given: Option<Value>,
-        work: impl FnOnce(&Job) -> Result<Outcome, Fault> + Send + 'static,
-        finish: Finish,
+        work: impl FnOnce(&Job) -> Result<T, Fault> + Send + 'static,
+        finish: Finish<T>,
     ) -> Result<(), Fault> {
         let context = self.context(uri).ok_or_else(|| Fault::Invalid(format!("{uri} is no open program")))?;
         let token = given.or_else(|| self.new_token());

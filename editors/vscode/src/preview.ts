@@ -5,7 +5,7 @@ import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
 import { at, speaksOf } from "./groups.js";
 import { page } from "./page.js";
-import type { Move } from "./protocol.js";
+import type { Move, Shown } from "./protocol.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import type { Server } from "./server.js";
 import { isRevealed, reveal } from "./tree.js";
@@ -29,8 +29,12 @@ export class Previews implements vscode.Disposable {
   ) {
     this.subscriptions = [
       scenes.onUpdated((uri) => this.panels.get(uri)?.send()),
+      server.onPointed((shown) => {
+        for (const [uri, preview] of this.panels) preview.ghost(shown !== null && vscode.Uri.parse(shown.uri).toString() === uri ? shown.moves : []);
+      }),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
         const selection = selections[0];
+        for (const preview of this.panels.values()) preview.ghost([]);
         if (textEditor.document.languageId !== LANGUAGE || selection === undefined) return;
         // What the page had shown in the text is selected in the page already, and often more closely: one chair of six.
         if (!isRevealed(textEditor.document.uri, selection)) this.follow(textEditor.document, selection.active);
@@ -86,6 +90,7 @@ class Preview {
   /** The geometry that the page has. */
   private shape = "";
   private shown = false;
+  private ghosts = false;
 
   constructor(
     private readonly panel: vscode.WebviewPanel,
@@ -114,6 +119,12 @@ class Preview {
   select(what: string): void {
     if (this.shown) void this.post({ type: "select", what });
     else this.wanted = what;
+  }
+
+  /** Shows where objects would be; none: as they are. */
+  ghost(ghosts: Shown["moves"]): void {
+    if (this.shown && (ghosts.length > 0 || this.ghosts)) void this.post({ type: "ghost", ghosts });
+    this.ghosts = ghosts.length > 0;
   }
 
   /** Sends the room as it is now, or why there is none. */

@@ -7,7 +7,7 @@ import { type Choice, choice, environment } from "./environment.js";
 import type { Keys } from "./keys.js";
 import { type Located, locate } from "./locate.js";
 import { askEditor } from "./model.js";
-import type { Changed, Done, Question } from "./protocol.js";
+import type { Changed, Done, Question, Shown } from "./protocol.js";
 
 /** Which of the settings the server is started with; of the others it is told while it runs. */
 const AT_START = ["scenelang.server.path", "scenelang.languageModel", "scenelang.model.name", "scenelang.model.baseUrl"];
@@ -26,6 +26,11 @@ export class Server implements vscode.Disposable {
   private readonly turned = new vscode.EventEmitter<boolean>();
   /** It runs, or it no longer does. */
   readonly onTurned = this.turned.event;
+  private readonly pointed = new vscode.EventEmitter<Shown | null>();
+  /** An action of the menu was pointed at: where it would put objects, if it moves any. */
+  readonly onPointed = this.pointed.event;
+  /** Edits of actions that are in a menu. */
+  private readonly held = new WeakMap<vscode.CodeAction, vscode.WorkspaceEdit>();
   private client: LanguageClient | null = null;
   /** Starts and stops, one after the other. */
   private queue: Promise<void> = Promise.resolve();
@@ -160,7 +165,23 @@ export class Server implements vscode.Disposable {
   /** What the client itself would keep to its log: that something which the user chose could not be done, and what was done. */
   private middleware(): Middleware & CodeActionMiddleware {
     return {
+      // What moves something is looked at before it is chosen: the menu asks for the edit of what is pointed at.
+      provideCodeActions: async (document, range, context, token, next) => {
+        const actions = (await next(document, range, context, token)) ?? [];
+        for (const action of actions) {
+          if (!(action instanceof vscode.CodeAction) || action.edit === undefined || shownOf(action) === null) continue;
+          this.held.set(action, action.edit);
+          delete action.edit;
+        }
+        return actions;
+      },
       resolveCodeAction: async (action, token, next) => {
+        const edit = this.held.get(action);
+        this.pointed.fire(shownOf(action));
+        if (edit !== undefined) {
+          action.edit = edit;
+          return action;
+        }
         try {
           return await next(action, token);
         } catch (error) {
@@ -194,6 +215,12 @@ export class Server implements vscode.Disposable {
     const pressed = await vscode.window.showErrorMessage(message, ...buttons.map(([title]) => title));
     await buttons.find(([title]) => title === pressed)?.[1]();
   }
+}
+
+/** Where an action would put objects; `null`: it moves none, or that is not known yet. */
+function shownOf(action: vscode.CodeAction): Shown | null {
+  const data = (action as { readonly data?: Partial<Shown> }).data;
+  return typeof data?.uri === "string" && Array.isArray(data.moves) ? { uri: data.uri, moves: data.moves } : null;
 }
 
 export function say(good: boolean, message: string): void {

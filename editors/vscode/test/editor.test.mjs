@@ -268,6 +268,29 @@ check("the light bulb repairs a constraint", async (e) => {
   assert.equal(await frame.$('[data-row="5"].fails'), null);
 });
 
+check("what a repair would move is shown in the preview while the menu points at it", async (e) => {
+  const frame = await room(e);
+  const ghosts = () => frame.evaluate(() => window.scenelang.ghosts());
+  await e.api("const d = await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/meeting.layout.json')); const w = new vscode.WorkspaceEdit(); w.replace(d.uri, new vscode.Range(0, 0, d.lineCount, 0), '{}'); await vscode.workspace.applyEdit(w)");
+  await show(e, "meeting.scene", await lineOf(e, "distance(lamp"), 10);
+  await until("a squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length > 0);
+  const before = await text(e, "meeting.layout.json");
+  await e.page.keyboard.down("Control");
+  await e.page.keyboard.press(".");
+  await e.page.keyboard.up("Control");
+  await until("the menu", async () => (await texts(e, ".action-widget .monaco-list-row")).some((row) => row.startsWith("Move `plant`")));
+  await until("the move", async () => (await texts(e, ".action-widget .monaco-list-row.focused"))[0]?.startsWith("Move `plant`") || (await e.page.keyboard.press("ArrowDown"), false));
+  await until("a ghost", async () => (await ghosts()).join() === "plant");
+  await shoot("ghost");
+  await e.page.keyboard.press("Escape");
+  assert.equal(await text(e, "meeting.layout.json"), before, "nothing is done yet");
+  await show(e, "meeting.scene", 0);
+  await until("no ghost", async () => (await ghosts()).length === 0);
+  await show(e, "meeting.layout.json");
+  await command(e, "undo");
+  await until("9/11", async () => (await status(e)) === "9/11 hold");
+});
+
 check("what was chosen and cannot be done is said", async (e) => {
   await e.api("const d = await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/meeting.layout.json')); const w = new vscode.WorkspaceEdit(); w.replace(d.uri, new vscode.Range(0, 0, d.lineCount, 0), '{}'); await vscode.workspace.applyEdit(w)");
   await show(e, "meeting.scene", await lineOf(e, "distance(lamp"), 10);

@@ -70,8 +70,11 @@ pub(super) fn choose(best: Judged, others: Vec<Judged>) -> Vec<Judged> {
     if choices[0].harm() != (0, 0) {
         return choices;
     }
-    let mut others: Vec<Judged> =
-        others.into_iter().filter(|other| other.cost <= most && other.fitting <= choices[0].fitting).collect();
+    let best = choices[0].clone();
+    // What can be turned need not be moved as well.
+    let turned = |other: &Judged| best.directed && other.kind().iter().any(|(id, _)| *id == best.steps[0].object);
+    let fits = |other: &Judged| other.cost <= most && other.fitting <= best.fitting && !turned(other);
+    let mut others: Vec<Judged> = others.into_iter().filter(fits).collect();
     while choices.len() < CHOICES {
         others.retain(|other| choices.iter().all(|known| known.kind() != other.kind()));
         let mut next = None;

@@ -347,12 +347,14 @@ impl<'a> MoveFinder<'a> {
         let earlier = steps.iter().find(|s| s.object == *object).copied();
         let from = earlier.unwrap_or(Step { object: *object, by: [0.0; 3], turn: 0.0, with: None });
         self.stage.set(steps);
+        let asked: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
+        let asked = if asked.is_empty() { goals } else { &asked };
+        let directed = self.stage.is_about_direction(asked, *object);
         let Some(search) = Search::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
             return Vec::new();
         };
+        let search = search.directed(directed);
         let mut candidates = if far { search.far() } else { search.near() };
-        let asked: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
-        let directed = self.stage.is_about_direction(if asked.is_empty() { goals } else { &asked }, *object);
         if directed {
             candidates.sort_by_key(|(_, step)| !choice::is_turn(step));
         }
@@ -378,7 +380,7 @@ impl<'a> MoveFinder<'a> {
             }
             let moved: Vec<ObjectId> = all.iter().map(|s| s.object).collect();
             let does = self.stage.consequences(&moved);
-            if !self.stage.lands(&moved, goals).is_empty() {
+            if !self.stage.lands(&moved, asked).is_empty() {
                 continue;
             }
             let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();

@@ -8,7 +8,7 @@ use super::room::describe;
 use super::{Alternative, How, RepairOptions, Text, edit};
 use scenelang_base::{Edit, SourceMap, Span, TextRange};
 use scenelang_lang::Program;
-use scenelang_lang::program::{Arith, Formula, Node, NodeId, Unit};
+use scenelang_lang::program::{Arg, Arith, Formula, Node, NodeId, Unit};
 use scenelang_lang::token::{self, Kind, UNITS};
 use scenelang_verify::check::Subject;
 use scenelang_verify::{World, cone, judge as evaluate, surroundings};
@@ -224,14 +224,15 @@ fn relaxed(formula: &Formula, world: &World<f64>, literal: &Literal) -> Option<R
     let fits = |x: &f64| (x - value).abs() <= ROUND * least.abs();
     let best = (0..=9).map(round).filter(fits).find(|x| holds(x * literal.per))?;
     let edit = Edit { place: literal.place, text: format!("{}{}", best + 0.0, literal.unit) };
-    let unit = unit(formula, literal);
+    let margin = evaluate(formula, world).map_or(Unit::Metre, |truth| truth.unit);
+    let unit = unit(formula, literal, margin);
     let shown = [literal.written, best + 0.0].map(|x| format!("{x}{unit}"));
     Some(Relaxed { edit, shown, least, cost: high.abs() })
 }
 
 /// The unit of a number as it is read: the one that is written or, where it is compared with a length or an angle, that
 /// of these.
-fn unit(formula: &Formula, literal: &Literal) -> String {
+fn unit(formula: &Formula, literal: &Literal, margin: Unit) -> String {
     if !literal.unit.is_empty() {
         return if literal.unit == "deg" { "°".to_owned() } else { format!(" {}", literal.unit) };
     }
@@ -246,7 +247,11 @@ fn unit(formula: &Formula, literal: &Literal) -> String {
         Node::Compare(_, unit, a, b) if own(b) => Some((*unit, *a)),
         _ => None,
     });
-    match compared.filter(|(_, other)| !plain(*other)).map(|(unit, _)| unit) {
+    // What is measured by a built-in predicate has the unit of its margin.
+    let given = |arg: &Arg| matches!(arg, Arg::Value(id) if own(id));
+    let measured = formula.nodes.iter().any(|n| matches!(n, Node::BuiltIn(_, args) if args.iter().any(given)));
+    let compared = compared.filter(|(_, other)| !plain(*other)).map(|(unit, _)| unit);
+    match compared.or(measured.then_some(margin)) {
         Some(Unit::Degree) => "°".to_owned(),
         Some(Unit::Metre) => " m".to_owned(),
         _ => String::new(),

@@ -124,11 +124,20 @@ impl Told<'_> {
     pub fn words(&self, a: &Alternative) -> String {
         let sources = &self.checked.sources;
         let mut parts = layout_in_words(self.program, a);
-        parts.extend(a.edits.iter().enumerate().map(|(i, edit)| {
+        let place = |edit: &Edit| {
             let Place { file, start: [line, column], .. } = report::place(sources, edit.place);
-            let least = a.least.get(i).map_or(String::new(), |least| format!(", by at least {}", short(*least)));
-            format!("{} ({file}:{line}:{column}{least})", edit_in_words(self.program, sources, a, i))
-        }));
+            format!("{file}:{line}:{column}")
+        };
+        if a.how == How::Prefer {
+            let places: Vec<String> = a.edits.iter().map(place).collect();
+            parts.push(format!("{} ({})", demoted(a.edits.len()), places.join(", ")));
+        } else {
+            parts.extend(a.edits.iter().enumerate().map(|(i, edit)| {
+                let least = |least: &f64| format!(", by at least {}", short(least.abs()));
+                let least = a.least.get(i).map_or(String::new(), least);
+                format!("{} ({}{least})", edit_in_words(self.program, sources, a, i), place(edit))
+            }));
+        }
         parts.extend(
             a.drops.iter().map(|i| {
                 format!("give up the preference {} `{}`", self.statement(*i), self.program.constraints[*i].text)
@@ -147,7 +156,11 @@ impl Told<'_> {
 /// An alternative in the imperative, as an editor names it.
 pub fn title(program: &Program, sources: &SourceMap, a: &Alternative) -> String {
     let mut parts = layout_in_words(program, a);
-    parts.extend((0..a.edits.len()).map(|i| edit_in_words(program, sources, a, i)));
+    if a.how == How::Prefer {
+        parts.push(demoted(a.edits.len()));
+    } else {
+        parts.extend((0..a.edits.len()).map(|i| edit_in_words(program, sources, a, i)));
+    }
     parts.extend(a.drops.iter().map(|i| format!("give up the preference `{}`", program.constraints[*i].text)));
     parts.join("; ")
 }
@@ -168,15 +181,22 @@ fn layout_in_words(program: &Program, a: &Alternative) -> Vec<String> {
 /// What an edit of the text means.
 fn edit_in_words(program: &Program, sources: &SourceMap, a: &Alternative, i: usize) -> String {
     let Edit { place, text } = &a.edits[i];
-    match (a.how, a.shown.get(i)) {
-        (How::Prefer, _) => PREFER.to_owned(),
-        (_, Some(shown)) => number_in_words(program, *place, shown),
-        _ => format!("write `{text}` for `{}`", sources.text(*place)),
+    match a.shown.get(i) {
+        Some(shown) => number_in_words(program, *place, shown),
+        None => format!("write `{text}` for `{}`", sources.text(*place)),
     }
 }
 
 /// An assertion that becomes a preference.
 pub const PREFER: &str = "make the assertion a preference: `prefer` instead of `assert`";
+
+/// The same of several.
+fn demoted(count: usize) -> String {
+    match count {
+        0 | 1 => PREFER.to_owned(),
+        n => format!("make {n} assertions preferences: `prefer` instead of `assert`"),
+    }
+}
 
 /// Another number: "require 0.5 m instead of 0.4 m".
 pub fn number_in_words(program: &Program, place: Span, [old, new]: &[String; 2]) -> String {
