@@ -49,6 +49,7 @@ fn picture(job: &Job, layout: &Layout, verdict: &Verdict) -> Result<Option<Strin
     let old = job.layout.as_ref().map(|l| l.file);
     let files: Vec<FileId> = sources.iter().map(|(id, _)| id).filter(|id| Some(*id) != old).collect();
     let layout_text = layout_file::to_json(layout, None);
-    let input = SceneInput { name: &stem, program, sources, files: &files, layout, layout_text: &layout_text, report: &report };
+    let input =
+        SceneInput { name: &stem, program, sources, files: &files, layout, layout_text: &layout_text, report: &report };
     Ok(Scene::build(&input).ok().map(|scene| plan::svg(&scene)))
 }

@@ -68,12 +68,22 @@ impl State {
                 self.prove_now(uri);
                 self.begin(id, uri, "Checking", token, check, apply)
             }
-            "scenelang.solve" => {
-                self.begin(id, uri, "Solving", token, move |job| solve(job, seed, Start::Layout, &Hold { lock, only }), apply)
-            }
-            "scenelang.solveAnew" => {
-                self.begin(id, uri, "Solving anew", token, move |job| solve(job, seed, Start::Nothing, &Hold { lock, only }), apply)
-            }
+            "scenelang.solve" => self.begin(
+                id,
+                uri,
+                "Solving",
+                token,
+                move |job| solve(job, seed, Start::Layout, &Hold { lock, only }),
+                apply,
+            ),
+            "scenelang.solveAnew" => self.begin(
+                id,
+                uri,
+                "Solving anew",
+                token,
+                move |job| solve(job, seed, Start::Nothing, &Hold { lock, only }),
+                apply,
+            ),
             "scenelang.alternatives" => {
                 let list = move |job: &Job| alternatives(job, seed.unwrap_or(1));
                 let answer = Box::new(|state: &mut State, id: &Id, found: Value| state.reply(id, Ok(found)));
@@ -129,13 +139,17 @@ impl Hold {
     /// The objects that stay.
     fn objects(&self, job: &Job) -> Result<Vec<ObjectId>, Fault> {
         let program = &job.compiled.program;
-        let named = |name: &String, o: &Object| o.name == *name || o.array.as_ref().is_some_and(|(array, _)| array == name);
+        let named =
+            |name: &String, o: &Object| o.name == *name || o.array.as_ref().is_some_and(|(array, _)| array == name);
         if self.lock.is_empty() && self.only.is_empty() {
             return Ok(Vec::new());
         }
         let layout = layout_of(job);
-        let layout = layout.ok_or_else(|| Fault::Failed("there is no layout to keep anything of; solve first".to_owned()))?;
-        if let Some(name) = self.lock.iter().chain(&self.only).find(|name| !program.objects.iter().any(|o| named(name, o))) {
+        let layout =
+            layout.ok_or_else(|| Fault::Failed("there is no layout to keep anything of; solve first".to_owned()))?;
+        if let Some(name) =
+            self.lock.iter().chain(&self.only).find(|name| !program.objects.iter().any(|o| named(name, o)))
+        {
             return Err(Fault::Failed(format!("the program has no `{name}`")));
         }
         let objects = (0..).map(ObjectId).zip(&program.objects);
@@ -173,8 +187,21 @@ fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<Outc
     };
     let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
     let locked = hold.objects(job)?;
-    let previous = there.filter(|_| start == Start::Layout || !locked.is_empty());
-    let how = Arranging { previous, locked, seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
+    // Of a layout that is made anew only what is locked was there before.
+    let mut kept = there.cloned();
+    if let Some(kept) = kept.as_mut().filter(|_| start == Start::Nothing) {
+        let stays = |name: &str| locked.iter().any(|id| job.compiled.program.objects[id.0 as usize].name == name);
+        kept.objects.retain(|(name, _)| stays(name));
+    }
+    let previous = kept.as_ref().filter(|_| start == Start::Layout || !locked.is_empty());
+    let how = Arranging {
+        previous,
+        locked,
+        seed,
+        judge: job.judging.options,
+        stop: job.stop.clone(),
+        ..Arranging::default()
+    };
     let arranged = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled)?;
     let mut layout = arranged.outcome.layout;
     layout.seed = Some(seed);

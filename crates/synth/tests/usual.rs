@@ -92,8 +92,7 @@ fn support_surfaces_are_well_above_the_base() {
 #[test]
 fn the_language_knows_the_colors_that_furniture_can_have() {
     let mut ours: Vec<&str> = library::colors().collect();
-    let mut theirs: Vec<&str> =
-        scenelang_assets::color_names().chain(scenelang_assets::material_names()).collect();
+    let mut theirs: Vec<&str> = scenelang_assets::color_names().chain(scenelang_assets::material_names()).collect();
     for names in [&mut ours, &mut theirs] {
         names.sort_unstable();
         names.dedup();

@@ -27,7 +27,7 @@ export class Server implements vscode.Disposable {
   /** It runs, or it no longer does. */
   readonly onTurned = this.turned.event;
   private readonly pointed = new vscode.EventEmitter<Shown | null>();
-  /** An action of the menu was pointed at: where it would put objects, if it moves any. */
+  /** An action of the menu was chosen: where it would put objects, if it moves any. */
   readonly onPointed = this.pointed.event;
   /** Edits of actions that are in a menu. */
   private readonly held = new WeakMap<vscode.CodeAction, vscode.WorkspaceEdit>();
@@ -165,7 +165,7 @@ export class Server implements vscode.Disposable {
   /** What the client itself would keep to its log: that something which the user chose could not be done, and what was done. */
   private middleware(): Middleware & CodeActionMiddleware {
     return {
-      // What moves something is looked at before it is chosen: the menu asks for the edit of what is pointed at.
+      // Where something would be moved is shown before it is confirmed: the menu asks for the edit of what is chosen.
       provideCodeActions: async (document, range, context, token, next) => {
         const actions = (await next(document, range, context, token)) ?? [];
         for (const action of actions) {

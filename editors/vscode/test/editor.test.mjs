@@ -268,7 +268,7 @@ check("the light bulb repairs a constraint", async (e) => {
   assert.equal(await frame.$('[data-row="5"].fails'), null);
 });
 
-check("what a repair would move is shown in the preview while the menu points at it", async (e) => {
+check("what a repair would move is shown in the preview, and asks before it is made", async (e) => {
   const frame = await room(e);
   const ghosts = () => frame.evaluate(() => window.scenelang.ghosts());
   await e.api("const d = await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/meeting.layout.json')); const w = new vscode.WorkspaceEdit(); w.replace(d.uri, new vscode.Range(0, 0, d.lineCount, 0), '{}'); await vscode.workspace.applyEdit(w)");
@@ -280,10 +280,13 @@ check("what a repair would move is shown in the preview while the menu points at
   await e.page.keyboard.up("Control");
   await until("the menu", async () => (await texts(e, ".action-widget .monaco-list-row")).some((row) => row.startsWith("Move `plant`")));
   await until("the move", async () => (await texts(e, ".action-widget .monaco-list-row.focused"))[0]?.startsWith("Move `plant`") || (await e.page.keyboard.press("ArrowDown"), false));
+  await e.page.keyboard.press("Enter");
   await until("a ghost", async () => (await ghosts()).join() === "plant");
+  await until("a question", async () => (await e.page.$(".bulk-edit-panel")) !== null);
   await shoot("ghost");
-  await e.page.keyboard.press("Escape");
   assert.equal(await text(e, "meeting.layout.json"), before, "nothing is done yet");
+  await command(e, "refactorPreview.discard");
+  await command(e, "workbench.action.closePanel");
   await show(e, "meeting.scene", 0);
   await until("no ghost", async () => (await ghosts()).length === 0);
   await show(e, "meeting.layout.json");
