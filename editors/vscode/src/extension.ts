@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import { Commands } from "./commands.js";
+import { Confirmations } from "./confirm.js";
 import { Forms } from "./forms.js";
 import { Keys } from "./keys.js";
 import { Locks } from "./locks.js";
@@ -18,10 +19,11 @@ let server: Server | null = null;
 
 export function activate(context: vscode.ExtensionContext): void {
   const keys = new Keys(context.secrets);
-  server = new Server(context, keys);
+  const confirmations = new Confirmations();
+  server = new Server(context, keys, confirmations);
   const running = server;
   const scenes = new Scenes(running);
-  const previews = new Previews(context.extensionUri, scenes, running);
+  const previews = new Previews(context.extensionUri, scenes, running, confirmations);
   const forms = new Forms(running);
   const locks = new Locks(context.workspaceState);
   const commands = new Commands(running, scenes, locks);
@@ -31,6 +33,7 @@ export function activate(context: vscode.ExtensionContext): void {
   const on = (name: string, act: (...args: never[]) => unknown) => vscode.commands.registerCommand(`scenelang.${name}`, act);
   context.subscriptions.push(
     scenes,
+    confirmations,
     previews,
     forms,
     requests,

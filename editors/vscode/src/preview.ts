@@ -5,6 +5,7 @@ import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
 import { at, speaksOf } from "./groups.js";
 import { page } from "./page.js";
+import type { Confirmations } from "./confirm.js";
 import type { Move, Shown } from "./protocol.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import type { Server } from "./server.js";
@@ -26,15 +27,15 @@ export class Previews implements vscode.Disposable {
     private readonly extension: vscode.Uri,
     private readonly scenes: Scenes,
     private readonly server: Server,
+    confirmations: Confirmations,
   ) {
     this.subscriptions = [
       scenes.onUpdated((uri) => this.panels.get(uri)?.send()),
-      server.onPointed((shown) => {
+      confirmations.onAsked((shown) => {
         for (const [uri, preview] of this.panels) preview.ghost(shown !== null && vscode.Uri.parse(shown.uri).toString() === uri ? shown.moves : []);
       }),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
         const selection = selections[0];
-        for (const preview of this.panels.values()) preview.ghost([]);
         if (textEditor.document.languageId !== LANGUAGE || selection === undefined) return;
         // What the page had shown in the text is selected in the page already, and often more closely: one chair of six.
         if (!isRevealed(textEditor.document.uri, selection)) this.follow(textEditor.document, selection.active);

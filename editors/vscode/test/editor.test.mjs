@@ -260,7 +260,7 @@ check("the light bulb repairs a constraint", async (e) => {
   await e.page.keyboard.up("Control");
   await until("the menu", async () => (await texts(e, ".action-widget .monaco-list-row")).includes("Repair this constraint"));
   await shoot("repair");
-  const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'action-widget')]//div[contains(@class, 'monaco-list-row')][contains(., 'Repair this')])");
+  const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'action-widget')]//div[contains(concat(@class, ' '), 'monaco-list-row ')][contains(., 'Repair this')])");
   await row.click();
   await until("no squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length === 0);
   await until("9/11", async () => (await status(e)) === "9/11 hold");
@@ -282,13 +282,14 @@ check("what a repair would move is shown in the preview, and asks before it is m
   await until("the move", async () => (await texts(e, ".action-widget .monaco-list-row.focused"))[0]?.startsWith("Move `plant`") || (await e.page.keyboard.press("ArrowDown"), false));
   await e.page.keyboard.press("Enter");
   await until("a ghost", async () => (await ghosts()).join() === "plant");
-  await until("a question", async () => (await e.page.$(".bulk-edit-panel")) !== null);
+  await until("a question", async () => (await notices(e)).some((notice) => notice.includes("Move `plant` 0.78 m west?")));
+  await until("the difference", async () => (await e.page.$$(".diff-editor, .monaco-diff-editor")).length > 0);
   await shoot("ghost");
   assert.equal(await text(e, "meeting.layout.json"), before, "nothing is done yet");
-  await command(e, "refactorPreview.discard");
-  await command(e, "workbench.action.closePanel");
-  await show(e, "meeting.scene", 0);
+  await press(e, "Cancel");
   await until("no ghost", async () => (await ghosts()).length === 0);
+  assert.equal(await text(e, "meeting.layout.json"), before, "nothing is done after all");
+  assert.equal((await e.page.$$(".monaco-diff-editor")).length, 0);
   await show(e, "meeting.layout.json");
   await command(e, "undo");
   await until("9/11", async () => (await status(e)) === "9/11 hold");

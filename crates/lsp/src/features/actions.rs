@@ -147,7 +147,8 @@ fn changes(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result
         if out.iter().all(|known| known["title"] != title.as_str()) {
             let edit = context.places().workspace_edit(&[edit], context.edit_versions());
             let (edit, marks) = (to_confirm(context, edit, &title), json!([marked(context, finding)]));
-            out.push(json!({ "title": title, "kind": "quickfix", "diagnostics": marks, "edit": edit }));
+            let data = json!({ "uri": context.uri, "moves": [] });
+            out.push(json!({ "title": title, "kind": "quickfix", "diagnostics": marks, "edit": edit, "data": data }));
         }
     };
     let world = World::<f64>::new(program, &layout.read.layout, &context.snapshot.judging().options);
@@ -224,6 +225,11 @@ impl State {
     /// # Errors
     /// It is no action of ours that has to be worked out.
     pub fn resolve_action(&mut self, id: &Id, mut action: Value) -> Result<(), Fault> {
+        // Some editors have an action completed that is complete.
+        if action.get("edit").is_some_and(Value::is_object) {
+            self.reply(id, Ok(action));
+            return Ok(());
+        }
         let (uri, line, program) = match params(action["data"].clone())? {
             Data::Repair { uri, line, program } => (uri, line, program),
             Data::Edits(chosen) => {

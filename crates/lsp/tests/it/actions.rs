@@ -179,6 +179,7 @@ fn choices_are_shown_before_they_are_made() {
         let moves = &first["data"]["moves"];
         assert_eq!((&first["data"]["uri"], &moves[0]["object"]), (&json!(uri), &json!("stand[1]")));
         assert_eq!(moves[0]["pos"].as_array().map(Vec::len), Some(3));
+        assert_eq!(&client.ask("codeAction/resolve", first.clone()), first, "it is complete");
         let number = client.offered(&uri, &text, "assert dist|ance(lamp", Some("quickfix"));
         let number = number.iter().find(|a| a["title"].as_str().unwrap().starts_with("Require ")).expect("a number");
         assert!(number["title"].as_str().unwrap().ends_with(" m instead of 0.4 m"), "{number}");
