@@ -168,7 +168,7 @@ fn choices_are_shown_before_they_are_made() {
     let (folder, scene, _) = room();
     let text = format!("{scene}assert distance(lamp, bed) <= 0.4;\n");
     let mut plain = crate::client::usual();
-    plain["workspace"]["workspaceEdit"] = json!({});
+    plain["workspace"]["workspaceEdit"] = json!({ "documentChanges": true });
     for (can, asks) in [(crate::client::usual(), true), (plain, false)] {
         let mut client = Client::start_with(folder.path(), can, Value::Null);
         let uri = client.open("room.scene", &text);
