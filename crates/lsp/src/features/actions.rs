@@ -178,7 +178,8 @@ fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result
     if context.client.resolves_edits {
         for (title, program) in [("Repair this constraint", false), ("Change the program so that this holds", true)] {
             // What has a number of its own to be changed needs no search for one.
-            if !listed(out, title) && !(program && number) {
+            let needless = program && number;
+            if !needless && !listed(out, title) {
                 out.push(json!({
                     "title": title, "kind": "quickfix", "diagnostics": marks,
                     "data": { "uri": context.uri, "line": line, "program": program },
