@@ -327,6 +327,36 @@ check("commands of the palette speak to the server; a broken program leaves the 
   await until("the room again", () => frame.$eval(".notice", (notice) => notice.hidden));
 });
 
+check("an object is locked in the tree, and stays; of alternatives one is chosen", async (e) => {
+  await show(e, "meeting.scene");
+  const uri = await e.api("return vscode.window.activeTextEditor.document.uri.toString()");
+  const asked = (name) => logged("main").filter(({ asked }) => asked === name).map(({ argument }) => argument);
+  const rows = () => texts(e, '.pane-body .monaco-list-row');
+  await command(e, "scenelang.constraints.focus");
+  await command(e, "scenelang.treeByObject");
+  await command(e, "scenelang.lockObject", { object: "lamp", uri });
+  await until("the lock", async () => (await rows()).some((row) => /^lamp.*locked/.test(row)));
+  await shoot("locked");
+  await command(e, "scenelang.solveScene");
+  await until("a solution that keeps it", () => asked("scenelang.solve").some(({ lock }) => lock?.join() === "lamp"));
+  await command(e, "scenelang.solveObject", { object: "plant", uri });
+  await until("a solution of one object", () => asked("scenelang.solve").some(({ only }) => only?.join() === "plant"));
+  await command(e, "scenelang.unlockObject", { object: "lamp", uri });
+  await until("no lock", async () => (await rows()).every((row) => !/locked/.test(row)));
+  await command(e, "scenelang.treeByState");
+  await command(e, "scenelang.showAlternatives");
+  const frame = await until("the alternatives", async () => {
+    for (const frame of e.page.frames()) if ((await frame.$("button[data-seed]").catch(() => null)) !== null) return frame;
+    return null;
+  });
+  assert.equal(await frame.$$eval("img", (all) => all.filter((img) => img.complete && img.naturalWidth > 0).length), 1);
+  await shoot("alternatives");
+  await frame.$eval('button[data-seed="2"]', (button) => button.click());
+  await until("the one that was chosen", () => asked("scenelang.solveAnew").some(({ seed }) => seed === 2));
+  await command(e, "notifications.clearAll");
+  await command(e, "workbench.view.explorer");
+});
+
 check("intermediate forms are shown beside, and follow the text", async (e) => {
   await show(e, "meeting.scene");
   await begin(e, "scenelang.showForms");
