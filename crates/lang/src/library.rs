@@ -115,9 +115,13 @@ pub fn meant_color(text: &str) -> Option<&'static str> {
     /// Shorter words are like too many others.
     const SHORTEST: usize = 3;
     let known = KNOWN.get_or_init(|| colors().collect());
-    let words = words(text);
-    let runs = (1..=LONGEST).flat_map(|n| words.windows(n));
-    if text.contains('#') || runs.into_iter().any(|run| known.contains(run.concat().as_str())) {
+    // The British spelling is as good, and so is a plural.
+    let words: Vec<String> = words(text).into_iter().map(|word| word.replace("grey", "gray")).collect();
+    let names = |run: &[String]| {
+        let run = run.concat();
+        known.contains(run.as_str()) || run.strip_suffix('s').is_some_and(|one| known.contains(one))
+    };
+    if text.contains('#') || (1..=LONGEST).flat_map(|n| words.windows(n)).any(names) {
         return None;
     }
     let all = std::iter::once(words.concat()).chain(words.iter().rev().cloned());
