@@ -15,7 +15,7 @@ export function alternativesPage(all: readonly Alternative[], nonce: string): st
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'nonce-${nonce}'; script-src 'nonce-${nonce}'">
 <title>Alternatives</title>
 <style nonce="${nonce}">
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(16rem, 1fr)); gap: 1rem; padding: 1rem 0; }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: 1rem; padding: 1rem 0; }
 button { display: grid; gap: 0.4rem; padding: 0.6rem; text-align: left; font: inherit; cursor: pointer; border-radius: 6px;
   color: var(--vscode-foreground); background: var(--vscode-editorWidget-background); border: 1px solid var(--vscode-widget-border, transparent); }
 button:hover, button:focus-visible { outline: 2px solid var(--vscode-focusBorder); }
