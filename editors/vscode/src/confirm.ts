@@ -58,12 +58,13 @@ export class Confirmations implements vscode.TextDocumentContentProvider, vscode
     for (const { uri, after } of differences) {
       await vscode.commands.executeCommand("vscode.diff", uri, after, `${title}: ${uri.path.split("/").at(-1) ?? ""}`, { preview: true, preserveFocus: true, viewColumn: vscode.ViewColumn.One });
     }
-    const pressed = await vscode.window.showInformationMessage(`${title}?`, "Apply", "Cancel");
+    // A notification would go away by itself.
+    const chosen = await vscode.window.showQuickPick([{ label: "Apply", description: title }, { label: "Cancel" }], { title: `${title}?`, placeHolder: "The difference is shown below", ignoreFocusOut: true });
     const ours = ({ input }: vscode.Tab) => input instanceof vscode.TabInputTextDiff && differences.some(({ after }) => input.modified.toString() === after.toString());
     await vscode.window.tabGroups.close(vscode.window.tabGroups.all.flatMap(({ tabs }) => tabs.filter(ours)));
     for (const { after } of differences) this.texts.delete(after.toString());
     this.asked.fire(null);
-    if (pressed !== "Apply") return;
+    if (chosen?.label !== "Apply") return;
     if (documents.some(({ version }, i) => version !== versions[i])) {
       void vscode.window.showWarningMessage(`${title}: the text was changed meanwhile; nothing was done`);
       return;
