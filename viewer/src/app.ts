@@ -4,6 +4,7 @@
 import { parseData, readData, rowObjects, type SceneData, type Triple } from "./data.js";
 import { el } from "./dom.js";
 import { gapsOf } from "./gaps.js";
+import type { Ghost } from "./ghosts.js";
 import { verdict } from "./list.js";
 import { judged, type Move, type Verdicts } from "./live.js";
 import { Moves, type Place } from "./moves.js";
@@ -23,6 +24,8 @@ export interface Hook {
   selected(): string[];
   /** Movable parts that are open: `wardrobe/door`. */
   opened(): string[];
+  /** Objects that are shown where a repair would put them. */
+  ghosts(): string[];
   /** The picture is still on its way to what was asked for. */
   moving(): boolean;
   /** Replaces the data. */
@@ -68,6 +71,7 @@ export class App implements Sink {
       this.view = new SceneView(this.stage, theme, {
         movable: this.moves !== null,
         chosen: (name) => this.pressObject(name),
+        pointed: (name) => this.source.point?.(this.view?.canvas ?? this.stage, name),
         dragged: (name, pos) => this.moves?.consider(name, { pos, rot: this.placeOf(name).rot }),
         dropped: (name, pos, calledOff) => this.drop(name, pos, calledOff),
       });
@@ -88,6 +92,7 @@ export class App implements Sink {
     select: (what) => this.pick(what),
     selected: () => [...this.highlighted()],
     opened: () => this.view?.opened() ?? [],
+    ghosts: () => this.view?.ghostly() ?? [],
     moving: () => this.view?.moving ?? false,
     load: (data) => this.take(() => readData(data)),
   };
@@ -117,6 +122,10 @@ export class App implements Sink {
     const { object, row } = this.selection;
     const known = row === null ? object : this.data?.report.constraints[row]?.id;
     if (what !== known && this.view?.dragged == null) this.pick(what);
+  }
+
+  ghost(ghosts: readonly Ghost[]): void {
+    this.view?.showGhosts(ghosts);
   }
 
   private async take(read: () => SceneData): Promise<void> {

@@ -8,6 +8,7 @@ import type { SceneData, SceneObject, Triple } from "./data.js";
 import { el } from "./dom.js";
 import { Drag } from "./drag.js";
 import type { Gap } from "./gaps.js";
+import { type Ghost, Ghosts } from "./ghosts.js";
 import { Labels, type Tag } from "./labels.js";
 import { aboutObject, formatPoint, formatSize } from "./list.js";
 import { Marks } from "./marks.js";
@@ -25,6 +26,8 @@ export type Tone = "selected" | "holds" | "fails" | "unknown";
 export interface SceneEvents {
   /** An object was pressed; `null`: the empty room. */
   chosen(name: string | null): void;
+  /** The pointer is on an object; `null`: on none. */
+  pointed(name: string | null): void;
   /** Whether objects may be dragged. */
   readonly movable: boolean;
   /** An object is on its way over the floor. */
@@ -62,6 +65,7 @@ export class SceneView {
   private readonly alarm = new Outline(4);
   private readonly marks = new Marks();
   private readonly openings = new Openings();
+  private readonly ghosts = new Ghosts();
   private readonly labels: Labels;
   private readonly picker: Picker;
   private readonly drag: Drag | null;
@@ -113,7 +117,7 @@ export class SceneView {
       doubled: (name) => this.flyTo([name]),
     });
     this.drag = events.movable ? this.dragging(host) : null;
-    this.scene.add(this.surroundings.group, this.marks.group, this.openings.group);
+    this.scene.add(this.surroundings.group, this.marks.group, this.openings.group, this.ghosts.group);
     theme.watch(() => this.paint());
     this.paint();
     new ResizeObserver(() => this.resize()).observe(host);
@@ -163,6 +167,7 @@ export class SceneView {
       this.places.set(object.name, object);
     }
     room.data = data;
+    this.ghosts.clear();
     this.surroundings.aim(boundsOfAll(data, room.model));
     this.renderer.shadowMap.needsUpdate = true;
     this.highlight([], "selected");
@@ -188,6 +193,18 @@ export class SceneView {
   /** Movable parts that are open: `wardrobe/door`. */
   opened(): string[] {
     return this.openings.opened();
+  }
+
+  /** Shows where objects would be; nothing: as they are. */
+  showGhosts(ghosts: readonly Ghost[]): void {
+    const { tones } = this.theme.dark ? DARK : LIGHT;
+    this.ghosts.show(ghosts, this.places, this.room?.model.objects ?? new Map(), tones.holds);
+    this.invalidate();
+  }
+
+  /** Objects that are shown where they would be. */
+  ghostly(): string[] {
+    return this.ghosts.names();
   }
 
   /** What is dragged at the moment. */
@@ -290,6 +307,7 @@ export class SceneView {
 
   private hover(name: string | null, x: number, y: number): void {
     const object = this.places.get(name ?? "");
+    this.events.pointed(object?.name ?? null);
     if (this.dragged === null) this.canvas.style.cursor = object === undefined ? "grab" : this.events.movable ? "move" : "pointer";
     this.labels.showTip(
       object === undefined
@@ -374,6 +392,7 @@ export class SceneView {
     for (const outline of [this.alarm, this.outline]) outline.clear();
     this.marks.clear();
     this.openings.clear();
+    this.ghosts.clear();
     this.places.clear();
     this.scene.remove(this.room.model.root);
     this.room.cutaway.dispose();

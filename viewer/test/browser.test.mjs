@@ -340,6 +340,30 @@ checkOwn("a room that was only rearranged is not built anew", async (page) => {
   assert.ok((await difference(baked, await load({ ...shaped, glb: "none" }))) < 0.002, "and back");
 });
 
+checkOwn("what a repair would move is shown where it would be, until it is called off", async (page) => {
+  const data = shapedData();
+  await inEditor(page, data, () => ({}));
+  await settle(page);
+  const ghosts = () => page.evaluate(() => window.scenelang.ghosts());
+  const send = async (message) => {
+    await page.evaluate((message) => window.postMessage(message, "*"), message);
+    await settle(page);
+  };
+  const plain = await shoot(page);
+  const sofa = data.objects.find(({ category }) => category === "sofa");
+  const there = { object: sofa.name, pos: [sofa.pos[0] - 0.5, 0, sofa.pos[2] - 0.8], rot: [0, sofa.rot[1] + 40, 0] };
+  await send({ type: "ghost", ghosts: [there, { ...there, object: "nothing" }] });
+  assert.deepEqual(await ghosts(), [sofa.name]);
+  assert.ok((await difference(plain, await shoot(page))) > 0.005, "a copy is seen");
+  await send({ type: "ghost", ghosts: [] });
+  assert.deepEqual(await ghosts(), []);
+  assert.ok((await difference(plain, await shoot(page))) < 0.002, "the room is as it was");
+  // A new room has none.
+  await send({ type: "ghost", ghosts: [there] });
+  await send({ type: "scenelang-data", data: { ...data, glb: "none" }, uri: "file:///meeting.scene" });
+  assert.deepEqual(await ghosts(), []);
+});
+
 checkOwn("what fails is drawn between the objects", async (page) => {
   const data = fixtureData();
   await open(page, data);

@@ -135,6 +135,7 @@ codes! {
     W0203 "a name shadows another"
     W0204 "nearly identical names"
     W0205 "unknown category"
+    W0206 "misspelt color"
     W0301 "ordering comparison of rotation components"
     W0302 "quantifier over an empty set"
     W0303 "assertion about no object"

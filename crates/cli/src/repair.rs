@@ -12,9 +12,8 @@ use scenelang_engine::{check_file_with, program_of};
 use scenelang_layout::file as layout_file;
 use scenelang_solve::repair::told::{Told, rows};
 use scenelang_solve::repair::{
-    Alternative, Damaged, How, RepairOptions, Text, Unjudged, Which, edited, repair as look,
+    Alternative, Damaged, How, RepairOptions, Repaired, Text, Unjudged, Which, edited, repair as look,
 };
-use scenelang_verify::explain::RowRef;
 use scenelang_verify::report;
 use scenelang_verify::{Checked, Explain};
 use std::path::{Path, PathBuf};
@@ -100,23 +99,17 @@ fn repair(args: &Repair) -> Result<u8, String> {
     match args.format {
         Plain::Json => {
             let applied = choice.filter(|_| !args.dry_run).map(|i| i + 1);
-            println!("{}", told.json(&found.failing, &found.alternatives, applied, &written));
+            println!("{}", told.json(&found, applied, &written));
         }
-        Plain::Text => out::show(&for_people(&told, &found.failing, &found.alternatives, choice, args, &written)),
+        Plain::Text => out::show(&for_people(&told, &found, choice, args, &written)),
     }
     Ok(if all_holds || choice.is_some() { GOOD } else { FINDINGS })
 }
 
 /// The answer for people.
-fn for_people(
-    told: &Told<'_>,
-    failing: &[RowRef],
-    all: &[Alternative],
-    choice: Option<usize>,
-    args: &Repair,
-    written: &[String],
-) -> String {
+fn for_people(told: &Told<'_>, found: &Repaired, choice: Option<usize>, args: &Repair, written: &[String]) -> String {
     let with = told.checked.report.judged_with.as_ref().map_or(String::new(), |with| with.in_words() + "\n");
+    let Repaired { failing, contradiction, alternatives: all } = found;
     if failing.is_empty() {
         return format!("{}: nothing to repair\n{with}", told.name);
     }
@@ -124,10 +117,17 @@ fn for_people(
     for (id, _, text) in told.failing(failing) {
         out += &format!("{id} fails: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
     }
+    if let Some(found) = contradiction {
+        out += "no layout satisfies all of these statements:\n";
+        for (id, text) in told.members(found) {
+            out += &format!("     {id} `{text}`\n");
+        }
+    }
     for (i, a) in all.iter().enumerate() {
         out += &format!("{:3}  {}\n", i + 1, told.words(a));
     }
     out + &match (choice, all.is_empty()) {
+        (_, true) if contradiction.is_some() => "change or remove one of them\n".to_owned(),
         (_, true) => "no repair was found, which is not a proof that none exists\n".to_owned(),
         (None, false) => "nothing was written; use --apply N to apply one of these repairs\n".to_owned(),
         (Some(i), _) if args.dry_run => format!("repair {} would be applied; nothing was written\n", i + 1),

@@ -59,25 +59,27 @@ fn complete(program: &Program, world: World<f64>, verdict: &mut Verdict, how_man
         let found = finder.explain(RowRef { kind: row.kind, subject: row.subject }, &row.objects);
         explanation.searched = found.searched;
         explanation.opposing = found.opposing;
-        explanation.repair = found.repair;
+        explanation.repair = found.choices.first().cloned();
+        explanation.choices = found.choices;
+        explanation.choices.retain(|choice| choice.breaks.is_empty());
         explanation.pinned = found.pinned;
     }
 }
 
-/// The smallest move after which `rows` of a verdict hold: what [`check`] offers for one of them. It may break something;
-/// then [`SmallestMove::breaks`] says so.
-pub fn smallest_move(
+/// Moves after which `rows` of a verdict hold, the best first: what [`check`] offers for one of them. The first may break
+/// something; then [`SmallestMove::breaks`] says so, and there is no other.
+pub fn moves_for(
     program: &Program,
     layout: &Layout,
     options: &Options,
     verdict: &Verdict,
     rows: &[RowRef],
-) -> Option<SmallestMove> {
+) -> Vec<SmallestMove> {
     if too_dense(verdict) {
-        return None;
+        return Vec::new();
     }
     let world = World::new(program, layout, options);
-    MoveFinder::new(program, world, failing(verdict), usize::MAX).repair(rows)
+    MoveFinder::new(program, world, failing(verdict), usize::MAX).choices(rows)
 }
 
 /// Whether so much is in one place that not all of it was judged.

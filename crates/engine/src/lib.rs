@@ -10,7 +10,7 @@
 //! - [`trial`]: the same with code in place of the evaluator, for those who make very many trials.
 //! - [`Live`]: the verdict of a layout whose objects are moved by hand.
 //! - [`Batch`]: margins in many layouts that differ in where their objects are.
-//! - [`check`], [`smallest_move`]: the verdict with the moves that repair what fails.
+//! - [`check`], [`moves_for`]: the verdict with the moves that repair what fails.
 //! - [`check_file`] and its like: the same of files.
 //!
 //! Absent here: what holds in one layout (`verify`), and any search for a whole layout (`solve`).
@@ -33,7 +33,7 @@ mod state;
 pub mod trial;
 
 pub use batch::Batch;
-pub use explain::{check, smallest_move};
+pub use explain::{check, moves_for};
 pub use file::{
     check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
 };

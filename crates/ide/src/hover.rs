@@ -367,8 +367,13 @@ fn verdict_in_words(program: &Program, row: &Row) -> String {
         let _ = write!(out, "\n\n_asked for by “{requirement}”_");
     }
     if let Some(explanation) = &row.explanation {
-        if let Some(repair) = &explanation.repair {
-            let _ = write!(out, "\n\nto repair it: {}", move_in_words(program, repair));
+        let choices = match (explanation.choices.as_slice(), &explanation.repair) {
+            ([], Some(repair)) => std::slice::from_ref(repair),
+            (choices, _) => choices,
+        };
+        for (i, choice) in choices.iter().enumerate() {
+            let lead = if i == 0 { "\n\nto repair it: " } else { ", or " };
+            let _ = write!(out, "{lead}{}", move_in_words(program, choice));
         }
         if !explanation.pinned.is_empty() {
             out.push_str("\n\nits objects are pinned by assignments");

@@ -3,7 +3,7 @@
 use crate::ast::StmtKind;
 use crate::items::{Place, Predicate, PredicateHead, head_of};
 use crate::parse::{ParsedFile, parse_file};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use std::sync::OnceLock;
 
@@ -98,6 +98,34 @@ pub fn nearest_category(category: &str) -> Option<String> {
     let (last, before) = words.split_last()?;
     let near = scenelang_base::suggest::nearest(last, all()).filter(|_| !before.is_empty())?;
     Some(format!("{} {near}", before.join(" ")))
+}
+
+/// Words for colors, and for materials, which stand for their usual color.
+pub fn colors() -> impl Iterator<Item = &'static str> {
+    let lines = include_str!("../std/colors.txt").lines().filter(|line| !line.starts_with('#'));
+    lines.flat_map(str::split_whitespace)
+}
+
+/// The name of a color that a text probably means, if it names none: the one that is most like the whole text or a word of
+/// it. `None`: it names one, or nothing like one.
+pub fn meant_color(text: &str) -> Option<&'static str> {
+    static KNOWN: OnceLock<FxHashSet<&str>> = OnceLock::new();
+    /// Names of colors have at most so many words.
+    const LONGEST: usize = 3;
+    /// Shorter words are like too many others.
+    const SHORTEST: usize = 3;
+    let known = KNOWN.get_or_init(|| colors().collect());
+    // The British spelling is as good, and so is a plural.
+    let words: Vec<String> = words(text).into_iter().map(|word| word.replace("grey", "gray")).collect();
+    let names = |run: &[String]| {
+        let run = run.concat();
+        known.contains(run.as_str()) || run.strip_suffix('s').is_some_and(|one| known.contains(one))
+    };
+    if text.contains('#') || (1..=LONGEST).flat_map(|n| words.windows(n)).any(names) {
+        return None;
+    }
+    let all = std::iter::once(words.concat()).chain(words.iter().rev().cloned());
+    all.filter(|word| word.len() >= SHORTEST).find_map(|word| scenelang_base::suggest::nearest(&word, colors()))
 }
 
 /// Whether the table of usual sizes has a word as it stands.

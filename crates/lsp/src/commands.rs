@@ -1,5 +1,6 @@
 //! Commands: check, solve, repair. What they do to a layout is an edit that the editor makes, and can undo.
 
+use crate::alternatives::alternatives;
 use crate::dispatch::{Fault, params};
 use crate::jobs::{Job, Outcome};
 use crate::repair::{self, Wanted};
@@ -15,10 +16,11 @@ use tower_lsp::jsonrpc::Id;
 use tower_lsp::ls_types::Uri;
 
 /// All commands of the server.
-pub const ALL: [&str; 6] = [
+pub const ALL: [&str; 7] = [
     "scenelang.check",
     "scenelang.solve",
     "scenelang.solveAnew",
+    "scenelang.alternatives",
     "scenelang.place",
     "scenelang.repairAll",
     "scenelang.repair",
@@ -39,6 +41,12 @@ struct Argument {
     seed: Option<u64>,
     line: Option<u32>,
     object: Option<String>,
+    /// Objects, or arrays of them, that stay where they are.
+    #[serde(default)]
+    lock: Vec<String>,
+    /// Objects, or arrays of them, that alone may move; none: all may.
+    #[serde(default)]
+    only: Vec<String>,
 }
 
 impl State {
@@ -52,7 +60,7 @@ impl State {
         if !ALL.contains(&command.as_str()) {
             return Err(Fault::Invalid(format!("there is no command `{command}`")));
         }
-        let Argument { uri, seed, line, object } = params(first)?;
+        let Argument { uri, seed, line, object, lock, only } = params(first)?;
         let uri = uri.as_str();
         let apply = Box::new(|state: &mut State, id: &Id, outcome| state.apply(id, outcome));
         match command.as_str() {
@@ -60,11 +68,26 @@ impl State {
                 self.prove_now(uri);
                 self.begin(id, uri, "Checking", token, check, apply)
             }
-            "scenelang.solve" => {
-                self.begin(id, uri, "Solving", token, move |job| solve(job, seed, Start::Layout), apply)
-            }
-            "scenelang.solveAnew" => {
-                self.begin(id, uri, "Solving anew", token, move |job| solve(job, seed, Start::Nothing), apply)
+            "scenelang.solve" => self.begin(
+                id,
+                uri,
+                "Solving",
+                token,
+                move |job| solve(job, seed, Start::Layout, &Hold { lock, only }),
+                apply,
+            ),
+            "scenelang.solveAnew" => self.begin(
+                id,
+                uri,
+                "Solving anew",
+                token,
+                move |job| solve(job, seed, Start::Nothing, &Hold { lock, only }),
+                apply,
+            ),
+            "scenelang.alternatives" => {
+                let list = move |job: &Job| alternatives(job, seed.unwrap_or(1));
+                let answer = Box::new(|state: &mut State, id: &Id, found: Value| state.reply(id, Ok(found)));
+                self.begin(id, uri, "Looking for alternatives", token, list, answer)
             }
             "scenelang.place" => {
                 let object = object.ok_or_else(|| Fault::Invalid("which object is not said".to_owned()))?;
@@ -106,6 +129,38 @@ enum Start {
     Nothing,
 }
 
+/// What stays where it is.
+struct Hold {
+    lock: Vec<String>,
+    only: Vec<String>,
+}
+
+impl Hold {
+    /// The objects that stay.
+    fn objects(&self, job: &Job) -> Result<Vec<ObjectId>, Fault> {
+        let program = &job.compiled.program;
+        let named =
+            |name: &String, o: &Object| o.name == *name || o.array.as_ref().is_some_and(|(array, _)| array == name);
+        if self.lock.is_empty() && self.only.is_empty() {
+            return Ok(Vec::new());
+        }
+        let layout = layout_of(job);
+        let layout =
+            layout.ok_or_else(|| Fault::Failed("there is no layout to keep anything of; solve first".to_owned()))?;
+        if let Some(name) =
+            self.lock.iter().chain(&self.only).find(|name| !program.objects.iter().any(|o| named(name, o)))
+        {
+            return Err(Fault::Failed(format!("the program has no `{name}`")));
+        }
+        let objects = (0..).map(ObjectId).zip(&program.objects);
+        let stays = |o: &Object| {
+            let any = |names: &[String]| names.iter().any(|name| named(name, o));
+            any(&self.lock) || !self.only.is_empty() && !any(&self.only)
+        };
+        Ok(objects.filter(|(_, o)| stays(o) && layout.object(&o.name).is_some()).map(|(id, _)| id).collect())
+    }
+}
+
 /// The layout that a job is about, if it can be used.
 fn layout_of(job: &Job) -> Option<&Layout> {
     job.layout.as_ref().filter(|l| l.read.usable).map(|l| &l.read.layout)
@@ -113,7 +168,7 @@ fn layout_of(job: &Job) -> Option<&Layout> {
 
 /// Looks for a layout. Without a seed, that of the layout that is there counts; whoever wants another room gets that of the
 /// next seed.
-fn solve(job: &Job, seed: Option<u64>, start: Start) -> Result<Outcome, Fault> {
+fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<Outcome, Fault> {
     if let Some(finding) = too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
@@ -131,8 +186,22 @@ fn solve(job: &Job, seed: Option<u64>, start: Start) -> Result<Outcome, Fault> {
         }
     };
     let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
-    let previous = there.filter(|_| start == Start::Layout);
-    let how = Arranging { previous, seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
+    let locked = hold.objects(job)?;
+    // Of a layout that is made anew only what is locked was there before.
+    let mut kept = there.cloned();
+    if let Some(kept) = kept.as_mut().filter(|_| start == Start::Nothing) {
+        let stays = |name: &str| locked.iter().any(|id| job.compiled.program.objects[id.0 as usize].name == name);
+        kept.objects.retain(|(name, _)| stays(name));
+    }
+    let previous = kept.as_ref().filter(|_| start == Start::Layout || !locked.is_empty());
+    let how = Arranging {
+        previous,
+        locked,
+        seed,
+        judge: job.judging.options,
+        stop: job.stop.clone(),
+        ..Arranging::default()
+    };
     let arranged = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled)?;
     let mut layout = arranged.outcome.layout;
     layout.seed = Some(seed);

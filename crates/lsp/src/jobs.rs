@@ -192,29 +192,39 @@ impl Progress {
     }
 }
 
+/// Long work that has not ended.
+pub struct Running {
+    stop: Stop,
+    /// The program that it is about, and what that was when it began.
+    uri: String,
+    generation: u64,
+}
+
 /// How the result of a job is used.
-pub type Finish = Box<dyn FnOnce(&mut State, &Id, Outcome) + Send>;
+pub type Finish<T> = Box<dyn FnOnce(&mut State, &Id, T) + Send>;
 
 impl State {
     /// Begins long work about a program. `given`: the token of the client for its progress, if it has one.
     ///
     /// # Errors
     /// There is no such program, or it has errors.
-    pub fn begin(
+    pub fn begin<T: Send + 'static>(
         &mut self,
         id: &Id,
         uri: &str,
         title: &str,
         given: Option<Value>,
-        work: impl FnOnce(&Job) -> Result<Outcome, Fault> + Send + 'static,
-        finish: Finish,
+        work: impl FnOnce(&Job) -> Result<T, Fault> + Send + 'static,
+        finish: Finish<T>,
     ) -> Result<(), Fault> {
         let context = self.context(uri).ok_or_else(|| Fault::Invalid(format!("{uri} is no open program")))?;
         let token = given.or_else(|| self.new_token());
         let stop = self.stop_of(id);
         if let Some(token) = &token {
-            self.jobs.insert(token.to_string(), (id.clone(), stop.clone()));
+            self.tokens.insert(token.to_string(), (id.clone(), stop.clone()));
         }
+        let running = Running { stop: stop.clone(), uri: uri.to_owned(), generation: context.generation };
+        self.jobs.insert(id.clone(), running);
         let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
         progress.tell(&json!({ "kind": "begin", "title": title, "cancellable": true }));
         let advisers = self.advisers(stop.clone());
@@ -230,14 +240,13 @@ impl State {
             });
             done.tell(&json!({ "kind": "end" }));
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
+                state.jobs.remove(&id);
                 if let Some(token) = token {
-                    state.jobs.remove(&token.to_string());
+                    state.tokens.remove(&token.to_string());
                 }
-                // An edit of what is there no more would undo what was written meanwhile.
-                let now = state.documents.get(&uri).and_then(|d| d.scene.as_ref());
-                let same = now.is_some_and(|s| s.generation == generation && !s.stale_text && !s.stale_layout);
                 match result {
-                    Ok(_) if !same => {
+                    // An edit of what is there no more would undo what was written meanwhile.
+                    Ok(_) | Err(Fault::Cancelled) if !state.is_current(&uri, generation) => {
                         let why = "the scene was changed meanwhile; nothing was done".to_owned();
                         state.reply(&id, Err(Fault::Failed(why)));
                     }
@@ -249,9 +258,22 @@ impl State {
         spawned.map(drop).map_err(|e| Fault::Failed(format!("no thread for it: {e}")))
     }
 
+    /// Whether a program and its layout are what they were.
+    fn is_current(&self, uri: &str, generation: u64) -> bool {
+        let now = self.documents.get(uri).and_then(|d| d.scene.as_ref());
+        now.is_some_and(|s| s.generation == generation && !s.stale_text && !s.stale_layout)
+    }
+
+    /// Ends long work about what has changed: nobody would use its result.
+    pub fn abandon(&mut self) {
+        for job in self.jobs.values().filter(|job| !self.is_current(&job.uri, job.generation)) {
+            job.stop.set();
+        }
+    }
+
     /// Somebody pressed "cancel" where progress is shown.
     pub fn cancel_progress(&mut self, token: &Value) {
-        if let Some((id, stop)) = self.jobs.remove(&token.to_string()) {
+        if let Some((id, stop)) = self.tokens.remove(&token.to_string()) {
             stop.set();
             self.reply(&id, Err(Fault::Cancelled));
         }

@@ -7,6 +7,7 @@
 //! Absent here: what the answers are. No protocol type leaves this crate.
 
 mod advised;
+mod alternatives;
 mod capabilities;
 mod client;
 mod commands;

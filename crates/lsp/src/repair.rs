@@ -11,10 +11,12 @@ use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
+use scenelang_solve::repair::told::title;
 use scenelang_solve::repair::{Alternative, Damaged, How, Moved, RepairOptions, Text, Which, repair as look};
 use scenelang_verify::Verdict;
 use scenelang_verify::check::{Judged, Subject};
-use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
+use scenelang_verify::explain::RowRef;
+use scenelang_verify::prove::Contradiction;
 use scenelang_verify::report::model::Kind;
 
 /// What is to be repaired.
@@ -24,7 +26,7 @@ pub enum Wanted {
     All,
     /// What is stated in a line of the document, or asked of what is declared there; lines from 0.
     Line(u32),
-    /// The same, by numbers and demands of the program instead of moves.
+    /// The same, by numbers of the program instead of moves.
     Program(u32),
 }
 
@@ -55,7 +57,7 @@ pub fn repair(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
     }
     let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
     if let Some(found) = asked {
-        return offer(job, layout, &before, &found);
+        return offer(job, layout, &before, &found, PROPOSED);
     }
     let text = Text {
         name: job.sources.get(job.main).name(),
@@ -70,22 +72,38 @@ pub fn repair(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
             return Err(Fault::Cancelled);
         }
         job.progress.say(&format!("looking for the smallest change, circle {}", round + 1));
-        let options = RepairOptions { budget, judge: job.judging.options, ..RepairOptions::default() };
+        let (judge, stop) = (job.judging.options, job.stop.clone());
+        let options = RepairOptions { budget, judge, stop, ..RepairOptions::default() };
         let unjudged = |_| Fault::Failed("the layout cannot be judged as a whole; its diagnostics say why".to_owned());
         let found = look(&damaged, &which, &options).map_err(unjudged)?;
-        let moves = |a: &&Alternative| a.how == How::Moves;
-        let chosen = match wanted {
-            Wanted::Program(_) => found.alternatives.iter().find(|a| !moves(a)),
-            _ => found.alternatives.iter().find(moves),
-        };
-        if let Some(chosen) = chosen {
-            return offer(job, layout, &before, chosen);
+        // An assertion is weakened only by an action that says so.
+        let how = if matches!(wanted, Wanted::Program(_)) { How::Numbers } else { How::Moves };
+        if let Some(chosen) = found.alternatives.iter().find(|a| a.how == how) {
+            return offer(job, layout, &before, chosen, "");
+        }
+        if let Some(contradiction) = found.contradiction.filter(|_| how == How::Moves) {
+            return Err(Fault::Failed(refusal(job, &contradiction)));
         }
     }
     Err(Fault::Failed(match wanted {
-        Wanted::Program(_) => "no number or demand was found whose change would repair it".to_owned(),
+        Wanted::Program(_) => "no number was found whose change would repair it".to_owned(),
         _ => "no move was found that repairs it, which proves nothing; the program may be changed instead".to_owned(),
     }))
+}
+
+/// Why there is nothing to look for: the smallest set of statements that cannot hold together.
+fn refusal(job: &Job, found: &Contradiction) -> String {
+    let places = job.places();
+    let constraints = &job.compiled.program.constraints;
+    let member = |i: &usize| {
+        let line = places.range(constraints[*i].span).start.line + 1;
+        format!("`{}` (line {line})", constraints[*i].text.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    let members: Vec<String> = found.statements.iter().map(member).collect();
+    match members.as_slice() {
+        [one] => format!("no layout satisfies {one}"),
+        all => format!("no layout satisfies all of these statements: {}", all.join(", ")),
+    }
 }
 
 fn row_of(row: &Judged) -> RowRef {
@@ -148,6 +166,7 @@ fn by_model(job: &Job, layout: &Layout, before: &Verdict, targets: &[RowRef]) ->
         also: Vec::new(),
         edits: Vec::new(),
         least: Vec::new(),
+        shown: Vec::new(),
         drops: Vec::new(),
         layout: after,
         cost: 0.0,
@@ -166,12 +185,15 @@ fn moved(program: &Program, from: &Layout, to: &Layout) -> Vec<Moved> {
     differs.collect()
 }
 
+/// What is said before a move that a language model has proposed.
+const PROPOSED: &str = "proposed by the language model: ";
+
 /// A change, judged once more as it will be, with words about it.
-fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative) -> Result<Outcome, Fault> {
+fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative, by: &str) -> Result<Outcome, Fault> {
     let after = verified(job, chosen)?;
     let changes_layout = !chosen.moves.is_empty() || !chosen.also.is_empty() || *layout != chosen.layout;
     let edit = if changes_layout { Some(job.layout_edit(&chosen.layout)?) } else { None };
-    let message = words(job, chosen);
+    let message = format!("{by}{}", title(&job.compiled.program, &job.sources, chosen));
     let margins = margins(&job.compiled.program, before, &after);
     let note = if margins.is_empty() { message } else { format!("{message}\n{}", margins.join("\n")) };
     let change = job.change(edit.as_ref(), &chosen.edits, &note);
@@ -192,24 +214,6 @@ fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
     let compiled = scenelang_lang::compile_main(id, scenelang_lang::Options::default(), &job.files, sources);
     let broken = || Fault::Failed("the program would not compile any more".to_owned());
     Ok(scenelang_verify::check(&compiled.program.ok_or_else(broken)?, &chosen.layout, &job.judging.options))
-}
-
-/// A change in the imperative.
-fn words(job: &Job, chosen: &Alternative) -> String {
-    let program = &job.compiled.program;
-    let mut parts = Vec::new();
-    let steps: Vec<Step> = chosen.moves.iter().map(Moved::step).collect();
-    if !steps.is_empty() {
-        parts.push(move_in_words(program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
-    }
-    if !chosen.also.is_empty() {
-        parts.push(format!("change `{}`", chosen.also.join("`, `")));
-    }
-    parts.extend(
-        chosen.edits.iter().map(|edit| format!("write `{}` for `{}`", edit.text, job.sources.text(edit.place))),
-    );
-    parts.extend(chosen.drops.iter().map(|i| format!("give up the preference `{}`", program.constraints[*i].text)));
-    parts.join("; ")
 }
 
 /// Which margins a change changes, the first few: `text: −0.07 m → +0.00 m`.

@@ -6,6 +6,7 @@ use crate::config::Config;
 use crate::dispatch::{Context, Fault};
 use crate::documents::{Document, Documents};
 use crate::drag::Drag;
+use crate::jobs::Running;
 use crate::model::Connect;
 use crate::parked::Parked;
 use crate::pool::Pool;
@@ -112,8 +113,10 @@ pub struct State {
     asks: i64,
     to_client: mpsc::UnboundedSender<Request>,
     events: queue::Sender<Event>,
-    /// Long work by the token of its progress.
-    pub jobs: HashMap<String, (Id, Stop)>,
+    /// Long work by the request that asked for it.
+    pub jobs: HashMap<Id, Running>,
+    /// The same by the token of its progress.
+    pub tokens: HashMap<String, (Id, Stop)>,
     /// Drags by document.
     pub drags: HashMap<String, Drag>,
     /// Reaches a language model.
@@ -152,6 +155,7 @@ impl State {
             proving: false,
             parked: Vec::new(),
             jobs: HashMap::new(),
+            tokens: HashMap::new(),
             drags: HashMap::new(),
             connect: setup.connect,
             account: Account::default(),
@@ -520,6 +524,7 @@ impl State {
 
     /// Has judged again whatever has changed.
     fn settle(&mut self) {
+        self.abandon();
         let stale = |d: &Document| {
             d.scene.as_ref().is_some_and(|s| s.stale_text || s.stale_layout || s.generation != s.published)
         };

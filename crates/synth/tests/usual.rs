@@ -88,3 +88,18 @@ fn support_surfaces_are_well_above_the_base() {
         assert!(surface.is_none_or(|s| s >= 0.1 * size[1]), "{name}: {surface:?} of {}", size[1]);
     }
 }
+
+#[test]
+fn the_language_knows_the_colors_that_furniture_can_have() {
+    let mut ours: Vec<&str> = library::colors().collect();
+    let mut theirs: Vec<&str> = scenelang_assets::color_names().chain(scenelang_assets::material_names()).collect();
+    for names in [&mut ours, &mut theirs] {
+        names.sort_unstable();
+        names.dedup();
+    }
+    assert_eq!(ours, theirs);
+    for name in ours {
+        assert!(scenelang_assets::color_of(name).is_some(), "{name}");
+        assert_eq!(library::meant_color(name), None, "{name}");
+    }
+}

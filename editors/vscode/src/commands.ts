@@ -3,7 +3,10 @@
 
 import { basename, dirname, join } from "node:path";
 import * as vscode from "vscode";
-import type { Done } from "./protocol.js";
+import { showAlternatives } from "./alternatives.js";
+import { speaksOf } from "./groups.js";
+import type { Locks } from "./locks.js";
+import type { Alternative, Done } from "./protocol.js";
 import { run } from "./run.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import { type Server, isCancelled, reason, say } from "./server.js";
@@ -12,11 +15,15 @@ export class Commands {
   constructor(
     private readonly server: Server,
     private readonly scenes: Scenes,
+    private readonly locks: Locks,
   ) {}
 
   /** The program that a command is for: the one it is given, else the one that is worked on. */
-  target(uri?: vscode.Uri | string): vscode.Uri | null {
-    if (uri !== undefined) return typeof uri === "string" ? vscode.Uri.parse(uri) : uri;
+  target(given?: vscode.Uri | string | { readonly uri?: unknown }): vscode.Uri | null {
+    if (given instanceof vscode.Uri) return given;
+    // The menu of the preview says what it is for.
+    const uri = typeof given === "string" ? given : given?.uri;
+    if (typeof uri === "string") return vscode.Uri.parse(uri);
     const document = vscode.window.activeTextEditor?.document;
     const found = document?.languageId === LANGUAGE ? document.uri : this.scenes.current;
     if (found === null) void vscode.window.showInformationMessage("Open a program (.scene) first.");
@@ -24,15 +31,50 @@ export class Commands {
   }
 
   /** A command of the server, which shows its own progress. */
-  async serve(command: string, uri?: vscode.Uri): Promise<void> {
+  async serve(command: string, uri?: vscode.Uri | string, more: { readonly seed?: number; readonly only?: readonly string[]; readonly object?: string } = {}): Promise<void> {
     const target = this.target(uri);
     if (target === null) return;
     try {
-      const done = await this.server.ask<Done | null>("workspace/executeCommand", { command, arguments: [{ uri: target.toString() }] });
+      const done = await this.server.ask<Done | null>("workspace/executeCommand", { command, arguments: [{ uri: target.toString(), ...this.lock(target), ...more }] });
       if (done !== null) say(done.holds === done.total, done.message);
     } catch (error) {
       if (!isCancelled(error)) say(false, reason(error));
     }
+  }
+
+  /** Solves anew with a number that the user gives: the same number makes the same room. */
+  async solveSeed(uri?: vscode.Uri): Promise<void> {
+    const target = this.target(uri);
+    if (target === null) return;
+    const whole = (text: string) => (/^\d{1,15}$/.test(text.trim()) ? null : "A whole number, 0 or more");
+    const text = await vscode.window.showInputBox({ title: "Solve Anew with a Seed", prompt: "The same seed makes the same layout.", value: "1", validateInput: whole });
+    if (text !== undefined) await this.serve("scenelang.solveAnew", target, { seed: Number(text.trim()) });
+  }
+
+  /** Shows several layouts side by side, to choose one. */
+  async alternatives(uri?: vscode.Uri): Promise<void> {
+    const target = this.target(uri);
+    if (target === null) return;
+    try {
+      const { alternatives } = await this.server.ask<{ alternatives: readonly Alternative[] }>("workspace/executeCommand", { command: "scenelang.alternatives", arguments: [{ uri: target.toString() }] });
+      showAlternatives(`Alternatives ${basename(target.path)}`, alternatives, (seed) => this.serve("scenelang.solveAnew", target, { seed }));
+    } catch (error) {
+      if (!isCancelled(error)) say(false, reason(error));
+    }
+  }
+
+  /** Keeps an object where it is when the program is solved, or no longer does. */
+  setLock(object: string, locked: boolean, uri?: string): void {
+    const target = this.target(uri);
+    if (target !== null) this.locks.set(target.toString(), object, locked);
+  }
+
+  /** What is locked, as far as the program still has it. */
+  private lock(target: vscode.Uri): { readonly lock?: readonly string[] } {
+    const uri = target.toString();
+    const known = this.scenes.get(uri)?.objects ?? [];
+    const lock = this.locks.of(uri).filter((object) => known.some(({ name }) => speaksOf(object, name)));
+    return lock.length > 0 ? { lock } : {};
   }
 
   /** Solves and builds everything into a folder. */

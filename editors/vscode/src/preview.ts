@@ -5,7 +5,8 @@ import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
 import { at, speaksOf } from "./groups.js";
 import { page } from "./page.js";
-import type { Move } from "./protocol.js";
+import type { Confirmations } from "./confirm.js";
+import type { Move, Shown } from "./protocol.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import type { Server } from "./server.js";
 import { isRevealed, reveal } from "./tree.js";
@@ -26,9 +27,13 @@ export class Previews implements vscode.Disposable {
     private readonly extension: vscode.Uri,
     private readonly scenes: Scenes,
     private readonly server: Server,
+    confirmations: Confirmations,
   ) {
     this.subscriptions = [
       scenes.onUpdated((uri) => this.panels.get(uri)?.send()),
+      confirmations.onAsked((shown) => {
+        for (const [uri, preview] of this.panels) preview.ghost(shown !== null && vscode.Uri.parse(shown.uri).toString() === uri ? shown.moves : []);
+      }),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
         const selection = selections[0];
         if (textEditor.document.languageId !== LANGUAGE || selection === undefined) return;
@@ -86,6 +91,7 @@ class Preview {
   /** The geometry that the page has. */
   private shape = "";
   private shown = false;
+  private ghosts = false;
 
   constructor(
     private readonly panel: vscode.WebviewPanel,
@@ -114,6 +120,12 @@ class Preview {
   select(what: string): void {
     if (this.shown) void this.post({ type: "select", what });
     else this.wanted = what;
+  }
+
+  /** Shows where objects would be; none: as they are. */
+  ghost(ghosts: Shown["moves"]): void {
+    if (this.shown && (ghosts.length > 0 || this.ghosts)) void this.post({ type: "ghost", ghosts });
+    this.ghosts = ghosts.length > 0;
   }
 
   /** Sends the room as it is now, or why there is none. */

@@ -80,3 +80,18 @@ export interface Question {
   readonly messages: readonly { readonly role: string; readonly text: string }[];
   readonly schema?: unknown;
 }
+
+/** In the `data` of a code action: where it would put objects. */
+export interface Shown {
+  readonly uri: string;
+  readonly moves: readonly { readonly object: string; readonly pos: readonly number[]; readonly rot: readonly number[] }[];
+}
+
+/** One of what `scenelang.alternatives` answers: a layout that its seed makes again. */
+export interface Alternative {
+  readonly seed: number;
+  readonly holds: number;
+  readonly total: number;
+  /** SVG; `null`: it cannot be drawn. */
+  readonly plan: string | null;
+}

@@ -3,11 +3,12 @@
 import { existsSync, statSync } from "node:fs";
 import * as vscode from "vscode";
 import { type CodeActionMiddleware, LanguageClient, type LanguageClientOptions, type Middleware, RevealOutputChannelOn, type ServerOptions, State } from "vscode-languageclient/node";
+import type { Confirmations } from "./confirm.js";
 import { type Choice, choice, environment } from "./environment.js";
 import type { Keys } from "./keys.js";
 import { type Located, locate } from "./locate.js";
 import { askEditor } from "./model.js";
-import type { Changed, Done, Question } from "./protocol.js";
+import type { Changed, Done, Question, Shown } from "./protocol.js";
 
 /** Which of the settings the server is started with; of the others it is told while it runs. */
 const AT_START = ["scenelang.server.path", "scenelang.languageModel", "scenelang.model.name", "scenelang.model.baseUrl"];
@@ -26,6 +27,8 @@ export class Server implements vscode.Disposable {
   private readonly turned = new vscode.EventEmitter<boolean>();
   /** It runs, or it no longer does. */
   readonly onTurned = this.turned.event;
+  /** Edits of actions that are in a menu. */
+  private readonly held = new WeakMap<vscode.CodeAction, vscode.WorkspaceEdit>();
   private client: LanguageClient | null = null;
   /** Starts and stops, one after the other. */
   private queue: Promise<void> = Promise.resolve();
@@ -34,6 +37,7 @@ export class Server implements vscode.Disposable {
   constructor(
     private readonly context: vscode.ExtensionContext,
     private readonly keys: Keys,
+    private readonly confirmations: Confirmations,
   ) {
     this.subscriptions = [
       vscode.workspace.onDidChangeConfiguration((e) => AT_START.some((name) => e.affectsConfiguration(name)) && void this.restart()),
@@ -160,9 +164,28 @@ export class Server implements vscode.Disposable {
   /** What the client itself would keep to its log: that something which the user chose could not be done, and what was done. */
   private middleware(): Middleware & CodeActionMiddleware {
     return {
+      // The edit of what is offered comes when it is chosen, and then asks first.
+      provideCodeActions: async (document, range, context, token, next) => {
+        const actions = (await next(document, range, context, token)) ?? [];
+        for (const action of actions) {
+          if (!(action instanceof vscode.CodeAction) || action.edit === undefined || shownOf(action) === null) continue;
+          this.held.set(action, action.edit);
+          delete action.edit;
+        }
+        return actions;
+      },
       resolveCodeAction: async (action, token, next) => {
+        const ask = (edit: vscode.WorkspaceEdit) => {
+          delete action.edit;
+          action.command = this.confirmations.command(action.title, edit, shownOf(action));
+          return action;
+        };
+        const held = this.held.get(action);
+        if (held !== undefined) return ask(held);
         try {
-          return await next(action, token);
+          const repair = isRepair(action);
+          const found = await next(action, token);
+          return repair && found?.edit !== undefined ? ask(found.edit) : found;
         } catch (error) {
           if (!isCancelled(error)) void vscode.window.showWarningMessage(`${action.title}: ${reason(error)}`);
           return action;
@@ -194,6 +217,18 @@ export class Server implements vscode.Disposable {
     const pressed = await vscode.window.showErrorMessage(message, ...buttons.map(([title]) => title));
     await buttons.find(([title]) => title === pressed)?.[1]();
   }
+}
+
+/** Where an action would put objects; `null`: it moves none, or that is not known yet. */
+function shownOf(action: vscode.CodeAction): Shown | null {
+  const data = (action as { readonly data?: Partial<Shown> }).data;
+  return typeof data?.uri === "string" && Array.isArray(data.moves) ? { uri: data.uri, moves: data.moves } : null;
+}
+
+/** Whether an action is a repair that the server works out when it is chosen. */
+function isRepair(action: vscode.CodeAction): boolean {
+  const data = (action as { readonly data?: { readonly line?: unknown } }).data;
+  return typeof data?.line === "number";
 }
 
 export function say(good: boolean, message: string): void {

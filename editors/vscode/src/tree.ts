@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import { type Group, type Grouping, groups, margin } from "./groups.js";
+import type { Locks } from "./locks.js";
 import type { Constraint, Range, State } from "./protocol.js";
 import type { Scenes } from "./scenes.js";
 
@@ -23,12 +24,14 @@ export class Tree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
   constructor(
     private readonly scenes: Scenes,
     private readonly memory: vscode.Memento,
+    private readonly locks: Locks,
   ) {
     this.by = memory.get<Grouping>("tree") ?? "state";
     this.view = vscode.window.createTreeView("scenelang.constraints", { treeDataProvider: this, showCollapseAll: true });
     this.subscriptions = [
       this.view,
       scenes.onFocused(() => this.changed.fire()),
+      locks.onChanged(() => this.changed.fire()),
       scenes.onUpdated((uri) => uri === scenes.current?.toString() && this.changed.fire()),
       vscode.commands.registerCommand("scenelang.treeByObject", () => this.group("object")),
       vscode.commands.registerCommand("scenelang.treeByState", () => this.group("state")),
@@ -56,7 +59,11 @@ export class Tree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
       item.description = this.by === "object" ? `${held}/${constraints.length}` : String(constraints.length);
       item.iconPath = ICONS[state];
       item.id = `${this.by} ${name}`;
-      if (object) item.contextValue = "object";
+      if (object) {
+        const locked = this.locks.of(this.scenes.current?.toString() ?? "").includes(name);
+        item.contextValue = locked ? "object locked" : "object";
+        if (locked) item.description = `${item.description} · locked`;
+      }
       return item;
     }
     const { constraint } = node;

@@ -260,12 +260,43 @@ check("the light bulb repairs a constraint", async (e) => {
   await e.page.keyboard.up("Control");
   await until("the menu", async () => (await texts(e, ".action-widget .monaco-list-row")).includes("Repair this constraint"));
   await shoot("repair");
-  const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'action-widget')]//div[contains(@class, 'monaco-list-row')][contains(., 'Repair this')])");
+  const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'action-widget')]//div[contains(concat(@class, ' '), 'monaco-list-row ')][contains(., 'Repair this')])");
   await row.click();
   await until("no squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length === 0);
   await until("9/11", async () => (await status(e)) === "9/11 hold");
   const frame = await room(e);
   assert.equal(await frame.$('[data-row="5"].fails'), null);
+});
+
+check("what a repair would move is shown in the preview, and asks before it is made", async (e) => {
+  const frame = await room(e);
+  const ghosts = () => frame.evaluate(() => window.scenelang.ghosts());
+  await e.api("const d = await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/meeting.layout.json')); const w = new vscode.WorkspaceEdit(); w.replace(d.uri, new vscode.Range(0, 0, d.lineCount, 0), '{}'); await vscode.workspace.applyEdit(w)");
+  await show(e, "meeting.scene", await lineOf(e, "distance(lamp"), 10);
+  await until("a squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length > 0);
+  const before = await text(e, "meeting.layout.json");
+  await command(e, "notifications.clearAll");
+  await until("the menu", async () => {
+    if ((await texts(e, ".action-widget .monaco-list-row")).some((row) => row.startsWith("Move `plant`"))) return true;
+    // The server may not have marked the new text yet.
+    await begin(e, "editor.action.quickFix");
+    await sleep(500);
+    return false;
+  });
+  await until("the move", async () => (await texts(e, ".action-widget .monaco-list-row.focused"))[0]?.startsWith("Move `plant`") || (await e.page.keyboard.press("ArrowDown"), false));
+  await e.page.keyboard.press("Enter");
+  await until("a ghost", async () => (await ghosts()).join() === "plant");
+  await until("a question", async () => (await texts(e, ".quick-input-list .monaco-list-row"))[0]?.startsWith("Apply"));
+  await until("the difference", async () => (await e.page.$$(".diff-editor, .monaco-diff-editor")).length > 0);
+  await shoot("ghost");
+  assert.equal(await text(e, "meeting.layout.json"), before, "nothing is done yet");
+  await e.page.keyboard.press("Escape");
+  await until("no ghost", async () => (await ghosts()).length === 0);
+  assert.equal(await text(e, "meeting.layout.json"), before, "nothing is done after all");
+  assert.equal((await e.page.$$(".monaco-diff-editor")).length, 0);
+  await show(e, "meeting.layout.json");
+  await command(e, "undo");
+  await until("9/11", async () => (await status(e)) === "9/11 hold");
 });
 
 check("what was chosen and cannot be done is said", async (e) => {
@@ -298,6 +329,36 @@ check("commands of the palette speak to the server; a broken program leaves the 
   await until("why it is old", () => frame.$eval(".notice", (notice) => !notice.hidden && /does not compile/.test(notice.textContent)));
   await command(e, "undo");
   await until("the room again", () => frame.$eval(".notice", (notice) => notice.hidden));
+});
+
+check("an object is locked in the tree, and stays; of alternatives one is chosen", async (e) => {
+  await show(e, "meeting.scene");
+  const uri = await e.api("return vscode.window.activeTextEditor.document.uri.toString()");
+  const asked = (name) => logged("main").filter(({ asked }) => asked === name).map(({ argument }) => argument);
+  const rows = () => texts(e, '.pane-body .monaco-list-row');
+  await command(e, "scenelang.constraints.focus");
+  await command(e, "scenelang.treeByObject");
+  await command(e, "scenelang.lockObject", { object: "lamp", uri });
+  await until("the lock", async () => (await rows()).some((row) => /^lamp.*locked/.test(row)));
+  await shoot("locked");
+  await command(e, "scenelang.solveScene");
+  await until("a solution that keeps it", () => asked("scenelang.solve").some(({ lock }) => lock?.join() === "lamp"));
+  await command(e, "scenelang.solveObject", { object: "plant", uri });
+  await until("a solution of one object", () => asked("scenelang.solve").some(({ only }) => only?.join() === "plant"));
+  await command(e, "scenelang.unlockObject", { object: "lamp", uri });
+  await until("no lock", async () => (await rows()).every((row) => !/locked/.test(row)));
+  await command(e, "scenelang.treeByState");
+  await command(e, "scenelang.showAlternatives");
+  const frame = await until("the alternatives", async () => {
+    for (const frame of e.page.frames()) if ((await frame.$("button[data-seed]").catch(() => null)) !== null) return frame;
+    return null;
+  });
+  assert.equal(await frame.$$eval("img", (all) => all.filter((img) => img.complete && img.naturalWidth > 0).length), 1);
+  await shoot("alternatives");
+  await frame.$eval('button[data-seed="2"]', (button) => button.click());
+  await until("the one that was chosen", () => asked("scenelang.solveAnew").some(({ seed }) => seed === 2));
+  await command(e, "notifications.clearAll");
+  await command(e, "workbench.view.explorer");
 });
 
 check("intermediate forms are shown beside, and follow the text", async (e) => {

@@ -23,6 +23,7 @@ async function load(name) {
 const { locate } = await load("locate.ts");
 const { at, groups, margin } = await load("groups.ts");
 const { page } = await load("page.ts");
+const { alternativesPage } = await load("alternatives-page.ts");
 const { run } = await load("run.ts");
 const { KEYS, choice, environment, refusal } = await load("environment.ts");
 const names = await load("names.ts");
@@ -49,6 +50,14 @@ const LOCATED = [
   ["not trusted: the one that comes with the extension", { trusted: false, settings: { user: null, workspace: "/ws/evil" } }, ["/ws/evil", "/ext/server/scenelang"], { command: "/ext/server/scenelang", from: "extension" }],
 ];
 for (const [name, places, there, found] of LOCATED) test(`the server: ${name}`, () => assert.deepEqual(locate({ ...PLACES, ...places, runs: (file) => there.includes(file) }), found));
+
+test("layouts side by side are images in a page that runs nothing else", () => {
+  const text = alternativesPage([{ seed: 7, holds: 3, total: 3, plan: "<svg onload=alert(1)></svg>" }, { seed: 8, holds: 1, total: 3, plan: null }], "abc");
+  assert.match(text, /default-src 'none'; img-src data:; style-src 'nonce-abc'; script-src 'nonce-abc'/);
+  assert.ok(!text.includes("onload"), "a plan is data");
+  assert.deepEqual([...text.matchAll(/data-seed="(\d+)"/g)].map(([, seed]) => seed), ["7", "8"]);
+  assert.ok(text.includes("Everything holds") && text.includes("1 of 3 hold") && text.includes("has no plan"));
+});
 
 test("a language model is the user's choice, and nobody's where the folder is not trusted", () => {
   for (const [setting, trusted, wanted] of [

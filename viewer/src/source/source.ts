@@ -1,5 +1,6 @@
 // Where a room comes from, and what may be asked of whoever sends it: the page itself, an editor, or a local server.
 
+import type { Ghost } from "../ghosts.js";
 import type { Move, Verdicts } from "../live.js";
 
 /** What a source tells the page. */
@@ -14,6 +15,8 @@ export interface Sink {
   stale(why: string | null): void;
   /** Emphasises an object, by name, or a row of the report, by id. */
   select(what: string): void;
+  /** Shows where objects would be; none: as they are. */
+  ghost(ghosts: readonly Ghost[]): void;
 }
 
 /** What the user pointed at: an object by name, or a row of the report by id. */
@@ -23,6 +26,8 @@ export interface Source {
   start(sink: Sink): void;
   /** Judges a move, or makes it; `null`: here nothing can be moved. */
   readonly move: ((move: Move) => Promise<Verdicts>) | null;
+  /** The pointer is on an object of the picture, or on none: an editor has a menu for objects. */
+  point?(picture: HTMLElement, object: string | null): void;
   /** Shows the text that speaks of it, where there is an editor. */
   reveal(pointed: Pointed): void;
 }

@@ -1,9 +1,10 @@
 // A panel of VS Code. The extension sends rooms and answers; the page sends what is dragged and pointed at.
 //
 //   to the page:    {type: "scenelang-data", data, uri} (without the geometry where it was sent before)  {type: "moved", id, verdicts | error}  {type: "select", what}
-//                   {type: "wait", why}  {type: "stale", why | null}
+//                   {type: "ghost", ghosts}  {type: "wait", why}  {type: "stale", why | null}
 //   from the page:  {type: "ready"}  {type: "move", id, object, pos, rot, commit}  {type: "reveal", object | row}
 
+import type { Ghost } from "../ghosts.js";
 import { type Move, readVerdicts, type Verdicts } from "../live.js";
 import { Shapes } from "./shapes.js";
 import type { Pointed, Sink, Source } from "./source.js";
@@ -22,12 +23,14 @@ type Message =
   | { readonly type: "scenelang-data"; readonly data: unknown; readonly uri: string }
   | { readonly type: "moved"; readonly id: number; readonly verdicts?: unknown; readonly error?: string }
   | { readonly type: "select"; readonly what: string }
+  | { readonly type: "ghost"; readonly ghosts: readonly Ghost[] }
   | { readonly type: "wait"; readonly why: string }
   | { readonly type: "stale"; readonly why: string | null };
 
 export class Webview implements Source {
   private readonly asked = new Map<number, { done(verdicts: Verdicts): void; failed(why: unknown): void }>();
   private last = 0;
+  private uri = "";
   private readonly shapes = new Shapes();
 
   constructor(private readonly editor: EditorApi) {}
@@ -48,6 +51,12 @@ export class Webview implements Source {
       this.editor.postMessage({ type: "move", id, ...move });
     });
 
+  /** The menu of the editor is told by this attribute what it is for. */
+  point(picture: HTMLElement, object: string | null): void {
+    const about = object === null ? {} : { webviewSection: "object", object };
+    picture.dataset["vscodeContext"] = JSON.stringify({ uri: this.uri, ...about, preventDefaultContextMenuItems: true });
+  }
+
   reveal(pointed: Pointed): void {
     this.editor.postMessage({ type: "reveal", ...pointed });
   }
@@ -56,10 +65,13 @@ export class Webview implements Source {
     switch (message.type) {
       case "scenelang-data":
         // By this the editor finds the room again after it was closed.
+        this.uri = message.uri;
         this.editor.setState({ uri: message.uri });
         return sink.load(this.shapes.whole(message.data));
       case "select":
         return sink.select(message.what);
+      case "ghost":
+        return sink.ghost(message.ghosts);
       case "wait":
         return sink.wait(message.why);
       case "stale":

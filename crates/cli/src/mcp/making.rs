@@ -213,8 +213,13 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
     if more > 0 {
         out["more_fails"] = more.into();
     }
+    if let Some(contradiction) = &found.contradiction {
+        let member = |(id, text)| json!({ "id": id, "text": text });
+        out["contradiction"] = told.members(contradiction).into_iter().map(member).collect();
+    }
     let Some(n) = apply else {
         out["text"] = match (found.failing.is_empty(), found.alternatives.is_empty()) {
+            (false, true) if found.contradiction.is_some() => "no layout satisfies all statements of the contradiction",
             (true, _) => "nothing to repair",
             (false, true) => "no repair was found, which is not a proof that none exists",
             (false, false) => "nothing is changed yet: call again with `apply` and the number of a way",

@@ -2,13 +2,16 @@
 //! move asks here, so that all offer the same one.
 //!
 //! What is offered has been judged: after it the rows hold. Of several moves the one is offered that breaks least; of
-//! these the one that repairs most, since what displaced an object broke all that speaks of it; of these the smallest.
+//! these the one that leaves doors and windows where they are; of these the one that repairs most, since what displaced
+//! an object broke all that speaks of it; of these a turn, where the rows are about directions, and else the smallest.
+//! Nothing comes to rest on what it did not rest on, unless that is asked for.
 //!
 //! What a move would break becomes a goal in its turn, and the search begins again. So what one object can repair without
 //! harm is found first; others are moved only where that is not enough.
 
+use super::choice::{self, Judged, keep};
 use super::search::{Freedom, Search};
-use super::stage::{Consequences, Stage};
+use super::stage::Stage;
 use crate::rows::{Goal, row_of};
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_verify::World;
@@ -31,43 +34,12 @@ const OPPOSING: usize = 3;
 /// What was found for a row.
 #[derive(Debug, Default)]
 pub(crate) struct Found {
-    pub repair: Option<SmallestMove>,
+    /// Moves that repair it, the best first; only the first one may break something.
+    pub choices: Vec<SmallestMove>,
     pub opposing: Vec<RowRef>,
     pub pinned: Vec<RowRef>,
     /// Whether there was something to be moved.
     pub searched: bool,
-}
-
-/// A move with what it does.
-#[derive(Clone, Debug)]
-struct Judged {
-    cost: f64,
-    steps: Vec<Step>,
-    does: Consequences,
-    /// Of what is wanted, how much does not hold.
-    open: usize,
-}
-
-impl Judged {
-    /// How much that must hold is broken or left as it is; then how many preferences are broken.
-    fn harm(&self) -> (usize, usize) {
-        let (hard, soft) = self.does.harm();
-        (hard + self.open, soft)
-    }
-
-    /// Less harm first, then what repairs more, then the smaller one.
-    fn better_than(&self, other: &Self) -> bool {
-        let hard = |j: &Self| j.does.repairs.iter().filter(|row| row.kind != Kind::Prefer).count();
-        let key = |j: &Self| (j.harm(), std::cmp::Reverse(hard(j)));
-        key(self) < key(other) || key(self) == key(other) && self.cost < other.cost
-    }
-}
-
-/// Keeps the better one.
-fn keep(best: &mut Option<Judged>, new: Option<Judged>) {
-    if let Some(new) = new.filter(|new| best.as_ref().is_none_or(|b| new.better_than(b))) {
-        *best = Some(new);
-    }
 }
 
 /// Looks for moves in one layout.
@@ -75,17 +47,19 @@ pub(crate) struct MoveFinder<'a> {
     stage: Stage<'a>,
     /// What must hold and does not.
     failing: Vec<RowRef>,
-    /// What one object can do about all of that; `None`: nobody has asked yet.
-    whole: Option<Option<Judged>>,
+    /// What one object can do about all of that, and what else does no harm; `None`: nobody has asked yet.
+    whole: Option<(Option<Judged>, Vec<Judged>)>,
     /// The work up to which something may be looked for.
     limit: usize,
+    /// Moves of one object that repair what is asked for and do no harm.
+    harmless: Vec<Judged>,
 }
 
 impl<'a> MoveFinder<'a> {
     /// Whoever tries out what is dear has so much to spend.
     pub fn new(program: &'a Program, world: World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
         let stage = Stage::new(program, world, purse);
-        Self { stage, failing, whole: None, limit: 0 }
+        Self { stage, failing, whole: None, limit: 0, harmless: Vec::new() }
     }
 
     /// The layout, with everything where it was given.
@@ -112,10 +86,13 @@ impl<'a> MoveFinder<'a> {
                 _ => found.searched = true,
             }
         }
-        found.repair = self.repair(&[row]).filter(|_| !self.is_spent());
+        found.choices = self.choices(&[row]);
+        if self.is_spent() {
+            found.choices.clear();
+        }
         if found.searched {
             found.opposing = self.opposing(row);
-        } else if found.repair.is_none() {
+        } else if found.choices.is_empty() {
             pins.sort_unstable();
             pins.dedup();
             found.pinned = pins.into_iter().map(|i| row_of(self.stage.program, i)).collect();
@@ -124,11 +101,22 @@ impl<'a> MoveFinder<'a> {
         found
     }
 
-    /// The smallest move after which rows hold.
-    pub fn repair(&mut self, rows: &[RowRef]) -> Option<SmallestMove> {
-        let best = self.together(rows).or_else(|| self.in_turn(rows))?;
-        let repairs = best.does.repairs.into_iter().filter(|r| rows != [*r]).collect();
-        Some(SmallestMove { steps: best.steps, breaks: best.does.breaks, repairs })
+    /// Moves after which rows hold, the best first; where that breaks something, there is no other.
+    pub fn choices(&mut self, rows: &[RowRef]) -> Vec<SmallestMove> {
+        self.harmless.clear();
+        let best = match self.together(rows) {
+            Some(best) => Some(best),
+            None => self.in_turn(rows),
+        };
+        let Some(best) = best else { return Vec::new() };
+        let others = std::mem::take(&mut self.harmless);
+        let others = others.into_iter().filter(|other| rows.iter().all(|row| other.does.repairs.contains(row)));
+        let offered = |j: Judged| SmallestMove {
+            steps: j.steps,
+            breaks: j.does.breaks,
+            repairs: j.does.repairs.into_iter().filter(|r| rows != [*r]).collect(),
+        };
+        choice::choose(best, others.collect()).into_iter().map(offered).collect()
     }
 
     /// What conflicts with it: what the smallest move would break or, if nothing, what comes nearest to it.
@@ -172,9 +160,11 @@ impl<'a> MoveFinder<'a> {
                 let found = self.object(&Attempt { object, goals, rows, steps: &[], free, limit });
                 keep(&mut best, found.filter(|j| j.harm() == (0, 0)));
             }
-            self.whole = Some(best);
+            self.whole = Some((best, std::mem::take(&mut self.harmless)));
         }
-        self.whole.clone().flatten()
+        let (best, harmless) = self.whole.clone()?;
+        self.harmless = harmless;
+        best
     }
 
     /// A move of objects one after the other, until all rows hold and nothing is broken, or as near to that as it gets.
@@ -266,7 +256,8 @@ impl<'a> MoveFinder<'a> {
                 }
             }
         }
-        found.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+        let fitting = |id| self.stage.is_fitting(id);
+        found.sort_by_key(|(id, times)| (fitting(*id), std::cmp::Reverse(*times)));
         found.into_iter().map(|(id, _)| id).take(OBJECTS).collect()
     }
 
@@ -356,13 +347,27 @@ impl<'a> MoveFinder<'a> {
         let earlier = steps.iter().find(|s| s.object == *object).copied();
         let from = earlier.unwrap_or(Step { object: *object, by: [0.0; 3], turn: 0.0, with: None });
         self.stage.set(steps);
+        let asked: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
+        let asked = if asked.is_empty() { goals } else { &asked };
+        let directed = self.stage.is_about_direction(asked, *object);
         let Some(search) = Search::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
             return Vec::new();
         };
+        let search = search.directed(directed);
+        let mut candidates = if far { search.far() } else { search.near() };
+        if directed {
+            candidates.sort_by_key(|(_, step)| !choice::is_turn(step));
+        }
         let mut found = Vec::new();
-        for (i, (cost, step)) in (if far { search.far() } else { search.near() }).into_iter().take(JUDGED).enumerate() {
+        // Of each kind, turns and others, the first that does no harm is enough.
+        let mut done = [false; 2];
+        for (i, (cost, step)) in candidates.into_iter().take(JUDGED).enumerate() {
             if i > 0 && self.stage.has_spent(self.limit) {
                 break;
+            }
+            let turn = choice::is_turn(&step);
+            if done[usize::from(turn)] {
+                continue;
             }
             let along: Vec<Step> = riders.iter().filter_map(|id| self.stage.along(&step, *id)).collect();
             let moves = |s: &Step| s.object == *object || along.iter().any(|a| a.object == s.object);
@@ -375,11 +380,18 @@ impl<'a> MoveFinder<'a> {
             }
             let moved: Vec<ObjectId> = all.iter().map(|s| s.object).collect();
             let does = self.stage.consequences(&moved);
+            if !self.stage.lands(&moved, asked).is_empty() {
+                continue;
+            }
             let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();
-            let judged = Judged { cost, steps: all, does, open };
-            let harmless = judged.harm() == (0, 0);
+            let fitting = moved.iter().any(|id| self.stage.is_fitting(*id));
+            let judged = Judged { cost, steps: all, does, open, fitting, directed: directed && turn };
+            if judged.harm() == (0, 0) {
+                self.harmless.push(judged.clone());
+                done[usize::from(turn)] = true;
+            }
             found.push(judged);
-            if harmless {
+            if done == [true; 2] {
                 break;
             }
         }

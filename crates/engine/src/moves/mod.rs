@@ -1,6 +1,7 @@
-//! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), and how the
-//! moves of one object are found ([`search`]).
+//! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), how the
+//! moves of one object are found ([`search`]), and which of them are offered ([`choice`]).
 
+mod choice;
 mod finder;
 mod search;
 mod stage;

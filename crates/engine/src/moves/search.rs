@@ -3,6 +3,7 @@
 
 use super::DEAR;
 use super::stage::Stage;
+use crate::pose::half_turn;
 use crate::rows::Goal;
 use scenelang_lang::program::{ObjectId, Unit};
 use scenelang_verify::explain::Step;
@@ -36,6 +37,12 @@ pub(super) struct Freedom {
     pub turn: bool,
 }
 
+/// Degrees by which the ends of a range of angles are looked for.
+const SWEEP: f64 = 10.0;
+const HALF_TURN: f64 = 180.0;
+/// What is so near to square is meant to be (degrees).
+const NEARLY_SQUARE: f64 = 10.0;
+
 /// A move: metres along x, y, z, and degrees.
 type Move = [f64; 4];
 
@@ -56,6 +63,8 @@ pub(super) struct Search<'s, 'a> {
     limit: usize,
     /// Whether asking whether the goals hold is dear.
     dear: bool,
+    /// Whether what is asked for is about where the object looks: then turns go to the middle of what holds.
+    directed: bool,
 }
 
 impl<'s, 'a> Search<'s, 'a> {
@@ -70,7 +79,12 @@ impl<'s, 'a> Search<'s, 'a> {
         let mut goals = goals.to_vec();
         goals.sort_by_key(|goal| stage.cost(*goal));
         let dear = goals.iter().any(|goal| stage.cost(*goal) > DEAR);
-        Some(Self { stage, goals, from, riders, freedom, per_degree, weight, limit, dear })
+        Some(Self { stage, goals, from, riders, freedom, per_degree, weight, limit, dear, directed: false })
+    }
+
+    /// For goals that are about where the object looks.
+    pub fn directed(self, directed: bool) -> Self {
+        Self { directed, ..self }
     }
 
     /// How far the farthest point of the object travels at most (metres), by its weight.
@@ -105,7 +119,39 @@ impl<'s, 'a> Search<'s, 'a> {
             let turns: Vec<Move> = self.turns().into_iter().skip(1).map(|turn| [0.0, 0.0, 0.0, turn]).collect();
             found.extend(turns.into_iter().filter(|m| self.holds(m)));
         }
+        if self.directed {
+            let turns: Vec<Move> = found.iter().filter(|m| m[..3] == [0.0; 3]).copied().collect();
+            found.retain(|m| m[..3] != [0.0; 3]);
+            found.extend(turns.into_iter().map(|m| self.straightened(m)));
+        }
         self.in_words(found)
+    }
+
+    /// A turn to the middle of the angles around it at which the goals hold, or to what is square near that: who turns a
+    /// chair to its desk does not stop as soon as that is barely so.
+    fn straightened(&mut self, turn: Move) -> Move {
+        let at = |by: f64| [0.0, 0.0, 0.0, turn[3] + by];
+        let mut ends = [0.0_f64; 2];
+        for (end, sign) in ends.iter_mut().zip([1.0, -1.0]) {
+            while end.abs() < HALF_TURN && self.holds(&at(*end + sign * SWEEP)) {
+                *end += sign * SWEEP;
+            }
+            if end.abs() >= HALF_TURN {
+                // It may look anywhere.
+                return turn;
+            }
+            let inside = *end;
+            // From beyond the end back to it.
+            let part = self.least(0.0, 1.0, &|t| at(inside + sign * SWEEP * (1.0 - t)));
+            *end = inside + sign * SWEEP * (1.0 - part);
+        }
+        let middle = turn[3] + (ends[0] + ends[1]) / 2.0;
+        let yaw = self.stage.home(self.from.object).map_or(0.0, |home| home.rot.y + self.from.turn);
+        let square = 90.0 * ((yaw + middle) / 90.0).round() - yaw;
+        let straight = if (square - middle).abs() <= NEARLY_SQUARE { square } else { middle.round() };
+        // The shorter way round.
+        let straight = [0.0, 0.0, 0.0, half_turn(straight)];
+        if straight[3] != 0.0 && self.holds(&straight) { straight } else { turn }
     }
 
     /// What was found from places farther off.

@@ -7,7 +7,7 @@ use crate::index::cost;
 use crate::rows::{Goal, row_of, truth};
 use crate::{Index, Mirror, Pose, State};
 use rustc_hash::FxHashMap;
-use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Owner, Pinned, Program};
+use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program};
 use scenelang_layout::Aabb;
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{RowRef, Step};
@@ -55,6 +55,8 @@ pub(super) struct Stage<'a> {
     scratch: Scratch<f64>,
     slopes: Scratch<Slope>,
     before: FxHashMap<RowRef, Option<Truth<f64>>>,
+    /// By object: what it rests on in the layout, as far as somebody has asked.
+    carriers: FxHashMap<ObjectId, Option<Option<ObjectId>>>,
     cones: FxHashMap<(usize, NodeId), Rc<[NodeId]>>,
     /// Work done, in small comparisons.
     pub work: usize,
@@ -76,6 +78,7 @@ impl<'a> Stage<'a> {
             scratch: Scratch::new(),
             slopes: Scratch::new(),
             before: FxHashMap::default(),
+            carriers: FxHashMap::default(),
             cones: FxHashMap::default(),
             work: 0,
             purse,
@@ -191,6 +194,81 @@ impl<'a> Stage<'a> {
             },
             _ => Vec::new(),
         }
+    }
+
+    /// Whether an object belongs into a wall: a door or a window. Nobody moves these to make room for furniture.
+    pub fn is_fitting(&self, id: ObjectId) -> bool {
+        matches!(self.program.objects[id.0 as usize].role.as_str(), "door" | "window")
+    }
+
+    /// Whether goals are about where an object looks: they read its directions, and neither its size nor a region, as what
+    /// says on which side of it something stands does.
+    pub fn is_about_direction(&self, goals: &[Goal], object: ObjectId) -> bool {
+        use ObjectProperty::{Front, Max, Min, Right, Rot, Scale, Up};
+        goals.iter().any(|goal| {
+            let Some((_, formula, from)) = self.formula(*goal) else { return false };
+            let nodes: Vec<&Node> = scenelang_verify::cone(formula, from).iter().map(|id| formula.node(*id)).collect();
+            let reads = |properties: &[ObjectProperty]| {
+                let own = |n: &&Node| matches!(n, Node::Object(p, id) if *id == object && properties.contains(p));
+                nodes.iter().any(own)
+            };
+            let placed = nodes.iter().any(|n| matches!(n, Node::Region(..) | Node::BuiltIn(..)));
+            reads(&[Front, Right, Up, Rot]) && !reads(&[Scale, Min, Max]) && !placed
+        })
+    }
+
+    /// What of the objects that were moved has come to rest on something that it did not rest on, though no goal asks for
+    /// that: a chair on its desk.
+    pub fn lands(&mut self, moved: &[ObjectId], goals: &[Goal]) -> Vec<ObjectId> {
+        let rests = |id: &&ObjectId| self.scope.support(**id) == Support::Rests;
+        let resting: Vec<ObjectId> = moved.iter().filter(rests).copied().collect();
+        let mut found = Vec::new();
+        for id in resting {
+            let Some(Some(carrier)) = self.carrier(id) else { continue };
+            let asked = goals.iter().any(|goal| self.is_about_height(*goal, id));
+            if !asked && self.carrier_before(id).is_some_and(|before| before != Some(carrier)) {
+                found.push(id);
+            }
+        }
+        found
+    }
+
+    /// Whether a goal is about the height of what is under an object: that it is supported, or stands on something.
+    fn is_about_height(&self, goal: Goal, object: ObjectId) -> bool {
+        use ObjectProperty::{Bottom, Surface, Top};
+        match (goal, self.formula(goal)) {
+            (Goal::Row(RowRef { kind: Kind::Support, subject }), _) => subject == Subject::Object(object),
+            (_, Some((_, formula, from))) => {
+                let nodes = scenelang_verify::cone(formula, from);
+                let reads = |of: &dyn Fn(&ObjectProperty, &ObjectId) -> bool| {
+                    nodes.iter().any(|id| matches!(formula.node(*id), Node::Object(p, o) if of(p, o)))
+                };
+                reads(&|p, o| *o == object && *p == Bottom) && reads(&|p, o| *o != object && matches!(p, Surface | Top))
+            }
+            _ => false,
+        }
+    }
+
+    /// What an object rests on as things are on the stage: nothing, a floor (`Some(None)`) or another object.
+    fn carrier(&self, id: ObjectId) -> Option<Option<ObjectId>> {
+        let tolerances = &self.world().options.tolerances;
+        let others: Vec<ObjectId> = self.around(id);
+        let rest = support::rest(self.world(), id, &others).ok()?;
+        rest.truth(tolerances).holds.then_some(rest.carrier)
+    }
+
+    /// The same in the layout.
+    fn carrier_before(&mut self, id: ObjectId) -> Option<Option<ObjectId>> {
+        if let Some(known) = self.carriers.get(&id) {
+            return *known;
+        }
+        let state = &self.state;
+        let now: Vec<(ObjectId, Pose)> = state.moved().filter_map(|(id, _)| Some((id, state.pose(id)?))).collect();
+        self.state.undo();
+        let found = self.carrier(id);
+        now.iter().for_each(|(id, pose)| self.state.set_pose(*id, pose));
+        self.carriers.insert(id, found);
+        found
     }
 
     /// Whether a row speaks of an object.

@@ -1,6 +1,6 @@
 //! Fixes of what is marked.
 
-use super::{Action, Kind, indent, is_safe, line_end, line_start};
+use super::{Action, Ghost, Kind, indent, is_safe, line_end, line_start};
 use crate::diagnostics::{Finding, diagnostics};
 use crate::{LayoutFile, Snapshot};
 use scenelang_base::{Edit, FileId, TextRange, codes, fix};
@@ -26,12 +26,13 @@ pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<A
         out.push(repairs(silence(snapshot, d.code.as_str(), place.range)));
     }
     if let Some(index) = finding.row {
-        out.extend(smallest_move(snapshot, index)?.map(repairs));
+        out.extend(choices(snapshot, index)?.into_iter().map(repairs));
     }
     Ok(())
 }
 
-fn sentence(title: &str) -> String {
+/// A title with a capital letter.
+pub fn sentence(title: &str) -> String {
     let mut chars = title.chars();
     chars.next().map_or(String::new(), |first| first.to_uppercase().chain(chars).collect())
 }
@@ -59,20 +60,32 @@ fn silence(snapshot: &Snapshot, code: &str, place: TextRange) -> Action {
     Action::new(format!("Allow {code} here"), Kind::Fix, vec![edit])
 }
 
-/// The smallest move that repairs a row and breaks nothing, if there is one: it was judged before.
-fn smallest_move(snapshot: &Snapshot, index: usize) -> Result<Option<Action>, Cancelled> {
-    let (Some(judged), Some(explained)) = (snapshot.judged()?, snapshot.explained()?) else { return Ok(None) };
-    let Some(row) = judged.verdict.rows.get(index) else { return Ok(None) };
+/// Moves that repair a row and break nothing, the best first: they were judged before.
+fn choices(snapshot: &Snapshot, index: usize) -> Result<Vec<Action>, Cancelled> {
+    let (Some(judged), Some(explained)) = (snapshot.judged()?, snapshot.explained()?) else { return Ok(Vec::new()) };
+    let Some(row) = judged.verdict.rows.get(index) else { return Ok(Vec::new()) };
     let same = explained.rows.iter().find(|r| r.kind == row.kind && r.subject == row.subject);
-    let Some(repair) = same.and_then(|r| r.explanation.as_ref()?.repair.as_ref()) else { return Ok(None) };
-    // What breaks something else is a matter for a longer search.
-    if !repair.breaks.is_empty() {
-        return Ok(None);
-    }
+    let Some(explanation) = same.and_then(|r| r.explanation.as_ref()) else { return Ok(Vec::new()) };
     let program = &judged.compiled.program;
-    let Some(edits) = moves(snapshot, program, &repair.steps) else { return Ok(None) };
-    let title = sentence(&move_in_words(program, repair));
-    Ok(Some(Action { preferred: true, ..Action::new(title, Kind::Fix, edits) }))
+    let mut out = Vec::new();
+    for choice in &explanation.choices {
+        let Some(edits) = moves(snapshot, program, &choice.steps) else { continue };
+        let title = sentence(&move_in_words(program, choice));
+        let moves = choice.steps.iter().filter_map(|step| Ghost::of(snapshot, program, step)).collect();
+        out.push(Action { preferred: out.is_empty(), moves, ..Action::new(title, Kind::Fix, edits) });
+    }
+    Ok(out)
+}
+
+impl Ghost {
+    /// Where an object is after a step.
+    fn of(snapshot: &Snapshot, program: &Program, step: &Step) -> Option<Self> {
+        let object = program.objects.get(step.object.0 as usize)?.name.to_string();
+        let placed = snapshot.layout()?.read.layout.object(&object)?;
+        let mut rot = placed.rot;
+        rot.y += step.turn;
+        Some(Self { object, pos: placed.pos + Vec3::from(step.by), rot })
+    }
 }
 
 /// Moves as edits of the layout: of the numbers, and nothing else.

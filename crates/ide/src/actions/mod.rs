@@ -15,7 +15,8 @@ use crate::diagnostics::{Finding, diagnostics};
 use scenelang_base::{Applicability, Edit, Span, TextRange};
 use scenelang_lang::db::Cancelled;
 
-pub use fixes::{all_safe, placing};
+pub use fixes::{all_safe, placing, sentence};
+use scenelang_layout::Vec3;
 
 /// What kind of change it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,11 +44,24 @@ pub struct Action {
     pub repairs: Option<Finding>,
     /// Whether it is what one would do.
     pub preferred: bool,
+    /// Where objects are afterwards, if it moves any.
+    pub moves: Vec<Ghost>,
+}
+
+/// Where an object would be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ghost {
+    /// Its name.
+    pub object: String,
+    /// Its position.
+    pub pos: Vec3,
+    /// Its rotation.
+    pub rot: Vec3,
 }
 
 impl Action {
     fn new(title: impl Into<String>, kind: Kind, edits: Vec<Edit>) -> Self {
-        Self { title: title.into(), kind, edits, repairs: None, preferred: false }
+        Self { title: title.into(), kind, edits, repairs: None, preferred: false, moves: Vec::new() }
     }
 }
 

@@ -49,7 +49,12 @@ fn what_fails_here() {
     let fixture = Fixture::at("assert g$0ap(stand[1], bed)");
     assert_eq!(failing(&fixture.snapshot, TextRange::empty(fixture.at)).unwrap().len(), 1);
     let all = actions(&fixture.snapshot, TextRange::empty(fixture.at), Detail::Edits).unwrap();
-    assert!(all.iter().any(|a| a.preferred && a.title.starts_with("Move `stand[1]` by +0.12 m along x")));
+    assert!(all.iter().any(|a| a.preferred && a.title.starts_with("Move `stand[1]` 0.12 m east")));
+}
+
+#[test]
+fn a_color_that_is_misspelt_is_corrected() {
+    assert_eq!(made("bed.color <- \"stelblu$0e\";", "Write \"steelblue\""), "bed.color <- \"steelblue\";",);
 }
 
 #[test]

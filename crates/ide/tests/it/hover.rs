@@ -40,7 +40,7 @@ fn names() {
 fn constraints_and_their_parts() {
     says(
         &Fixture::at("as$0sert gap(stand[1], bed) >= space and"),
-        "**fails**, margin **−0.12 m**|to repair it: move `stand[1]` by +0.12 m along x|\
+        "**fails**, margin **−0.12 m**|to repair it: move `stand[1]` 0.12 m east|\
          `gap(stand[1], bed) >= space` **fails**, margin −0.12 m|`lamp.top > 0.5` holds, margin +0.40 m",
     );
     // What is no conjunction has no parts.

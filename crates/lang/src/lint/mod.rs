@@ -9,7 +9,7 @@
 //! |---|---|
 //! | `unused` | W0201 never used, W0202 a text never assigned, W0303 no object |
 //! | `hiding` | W0203 a name that hides another |
-//! | `spelling` | W0204 names and texts spelt almost alike, W0205 unknown categories |
+//! | `spelling` | W0204 names and texts spelt almost alike, W0205 unknown categories, W0206 misspelt colors |
 //! | `degrees` | W0301 order of degrees |
 //! | `sets` | W0302 empty sets |
 //! | `dead` | W0304 what makes no difference |

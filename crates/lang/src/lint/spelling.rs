@@ -1,5 +1,5 @@
 //! W0204: names, and texts of one property, that differ by no more than a slip of the pen; W0205: categories of which
-//! nothing is known.
+//! nothing is known; W0206: colors that are misspelt.
 //!
 //! A false alarm would be worse than a slip that is missed. So digits and single letters at the end tell names apart
 //! (`chair1`, `chairA`, `posX`), as do first letters (`table`, `cable`); a letter that is another, or missing in the
@@ -52,6 +52,35 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     names(facts, out);
     texts(facts, out);
     categories(facts, out);
+    colors(facts, out);
+}
+
+/// Colors that are none, and nearly are one, each once.
+fn colors(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
+    let mut known: Vec<&str> = Vec::new();
+    let texts = facts.statements.iter().flat_map(|linted| linted.uses.texts.iter().map(move |text| (linted, text)));
+    for (linted, text) in texts.filter(|(_, t)| !t.compared && is_color(&t.property)) {
+        let Some(place) = linted.place.span(text.range) else { continue };
+        if known.contains(&text.text.as_str()) {
+            continue;
+        }
+        known.push(&text.text);
+        let Some(near) = library::meant_color(&text.text) else { continue };
+        let mut d = Diagnostic::new(codes::W0206, place, format!("unknown color \"{}\"", text.text))
+            .note("an unknown color has no effect; colors have names (`navy`, `light oak`) or are written `#336699`");
+        d = d.label(format!("did you mean \"{near}\"?"));
+        d.fixes.push(Fix {
+            title: format!("write \"{near}\""),
+            edits: vec![Edit { place, text: format!("\"{near}\"") }],
+            applicability: Applicability::Unsafe,
+        });
+        out.push(d);
+    }
+}
+
+/// Whether the texts of a property name colors.
+fn is_color(property: &str) -> bool {
+    matches!(property, "color" | "floorColor" | "wallColor")
 }
 
 /// Categories of which neither a usual size nor what they are for is known, each once: where they are assigned, for what
@@ -133,7 +162,7 @@ fn same_kind(a: Option<ItemKind>, b: Option<ItemKind>) -> bool {
 fn texts(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     let group = |property: &str| match property {
         "category" => Some("category"),
-        "color" | "floorColor" | "wallColor" => Some("color"),
+        _ if is_color(property) => Some("color"),
         "material" | "floorMaterial" | "wallMaterial" => Some("material"),
         "features" => Some("features"),
         _ => None,

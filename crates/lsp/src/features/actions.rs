@@ -6,10 +6,15 @@ use crate::dispatch::{Context, Fault, params};
 use crate::publish::mark;
 use crate::repair::{Wanted, repair};
 use crate::state::State;
-use scenelang_base::TextRange;
-use scenelang_ide::actions::{self, Action, Detail, Kind};
+use scenelang_base::{Edit, TextRange};
+use scenelang_ide::actions::{self, Action, Detail, Ghost, Kind};
 use scenelang_ide::diagnostics::Finding;
 use scenelang_ide::hints::unplaced;
+use scenelang_lang::program::ConstraintKind;
+use scenelang_solve::repair::in_statement;
+use scenelang_solve::repair::told::{PREFER, number_in_words};
+use scenelang_verify::World;
+use scenelang_verify::check::Subject;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -40,9 +45,23 @@ pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
         only.is_none_or(|list| list.iter().any(|o| o.is_empty() || kind == o || kind.starts_with(&format!("{o}."))))
     };
     let detail = if context.client.resolves_edits { Detail::Titles } else { Detail::Edits };
-    let mut out = Vec::new();
-    for finding in actions::failing(&context.snapshot, range)?.iter().filter(|_| wanted("quickfix")) {
-        repairs(context, finding, &mut out);
+    let offered = actions::actions(&context.snapshot, range, detail)?;
+    let (moves, others): (Vec<Action>, Vec<Action>) = offered.into_iter().partition(|a| !a.moves.is_empty());
+    let mut out: Vec<Value> = Vec::new();
+    if wanted("quickfix") {
+        for action in &moves {
+            // One move may repair several things that are marked here.
+            match out.iter_mut().find(|known| known["title"] == action.title.as_str()) {
+                Some(known) => {
+                    let more = action.repairs.iter().map(|finding| marked(context, finding));
+                    known["diagnostics"].as_array_mut().into_iter().for_each(|all| all.extend(more.clone()));
+                }
+                None => out.push(shown(context, action, asked.within.range)),
+            }
+        }
+        for finding in &actions::failing(&context.snapshot, range)? {
+            repairs(context, finding, &mut out)?;
+        }
     }
     let touched = |place: &TextRange| place.start <= range.end && range.start <= place.end;
     for (_, name) in unplaced(&context.snapshot)?.iter().filter(|(place, _)| wanted("quickfix") && touched(place)) {
@@ -52,7 +71,7 @@ pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
         out.push(json!({ "title": title, "kind": "quickfix", "command": command }));
     }
     out.extend(
-        actions::actions(&context.snapshot, range, detail)?
+        others
             .iter()
             .map(|a| shown(context, a, asked.within.range))
             .filter(|a| wanted(a["kind"].as_str().unwrap_or_default())),
@@ -80,7 +99,13 @@ fn shown(context: &Context, action: &Action, range: Range) -> Value {
     if action.edits.is_empty() && context.client.resolves_edits {
         out["data"] = json!(Chosen { uri: context.uri.clone(), range, title: action.title.clone() });
     } else {
-        out["edit"] = context.places().workspace_edit(&action.edits, context.edit_versions());
+        let edit = context.places().workspace_edit(&action.edits, context.edit_versions());
+        out["edit"] = if action.moves.is_empty() { edit } else { to_confirm(context, edit, &action.title) };
+    }
+    if !action.moves.is_empty() {
+        let ghost =
+            |m: &Ghost| json!({ "object": m.object, "pos": <[f64; 3]>::from(m.pos), "rot": <[f64; 3]>::from(m.rot) });
+        out["data"] = json!({ "uri": context.uri, "moves": action.moves.iter().map(ghost).collect::<Vec<_>>() });
     }
     if let Some(finding) = &action.repairs {
         out["diagnostics"] = json!([marked(context, finding)]);
@@ -95,15 +120,66 @@ fn marked(context: &Context, finding: &Finding) -> Value {
     mark(&finding.diagnostic, context.file(), &context.places(), context.client.related)
 }
 
-/// Repair of something that fails: by moves, and by changes of the program.
-fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Value>) {
-    let Some(label) = &finding.diagnostic.primary else { return };
+/// An edit that the client shows before it is made, if it can.
+fn to_confirm(context: &Context, mut edit: Value, label: &str) -> Value {
+    if !context.client.annotates || edit["documentChanges"].is_null() {
+        return edit;
+    }
+    for change in edit["documentChanges"].as_array_mut().into_iter().flatten() {
+        let edits = change["edits"].as_array_mut().into_iter().flatten();
+        edits.for_each(|edit| edit["annotationId"] = "change".into());
+    }
+    edit["changeAnnotations"] = json!({ "change": { "label": label, "needsConfirmation": true } });
+    edit
+}
+
+/// Changes of the program after which a statement holds in the layout as it is: another number; the assertion as a
+/// preference. Whether there is such a number.
+fn changes(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result<bool, Fault> {
+    let (Some(judged), Some(layout)) = (context.snapshot.judged()?, context.snapshot.layout()) else {
+        return Ok(false);
+    };
+    let row = finding.row.and_then(|index| judged.verdict.rows.get(index));
+    let Some(Subject::Statement(index)) = row.map(|row| row.subject) else { return Ok(false) };
+    let (program, sources) = (&judged.compiled.program, context.snapshot.sources());
+    let Some(constraint) = program.constraints.get(index) else { return Ok(false) };
+    let mut add = |title: String, edit: Edit| {
+        if out.iter().all(|known| known["title"] != title.as_str()) {
+            let edit = context.places().workspace_edit(&[edit], context.edit_versions());
+            let (edit, marks) = (to_confirm(context, edit, &title), json!([marked(context, finding)]));
+            let data = json!({ "uri": context.uri, "moves": [] });
+            out.push(json!({ "title": title, "kind": "quickfix", "diagnostics": marks, "edit": edit, "data": data }));
+        }
+    };
+    let world = World::<f64>::new(program, &layout.read.layout, &context.snapshot.judging().options);
+    let number = in_statement(program, sources, &world, index).into_iter().next();
+    let found = number.is_some();
+    if let Some(number) = number {
+        let title = number_in_words(program, number.edit.place, &number.shown);
+        add(actions::sentence(&title), number.edit);
+    }
+    if constraint.kind == ConstraintKind::Assert && sources.text(constraint.span).starts_with(ASSERT) {
+        let start = constraint.span.range.start as usize;
+        let place = TextRange::new(start, start + ASSERT.len()).in_file(constraint.span.file);
+        add(actions::sentence(PREFER), Edit { place, text: "prefer".to_owned() });
+    }
+    Ok(found)
+}
+
+const ASSERT: &str = "assert";
+
+/// Repair of something that fails, by changes of the program and by longer searches.
+fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result<(), Fault> {
+    let Some(label) = &finding.diagnostic.primary else { return Ok(()) };
     let line = context.range(label.place.range).start.line;
     let marks = json!([marked(context, finding)]);
     let listed = |list: &[Value], title: &str| list.iter().any(|a| a["title"] == title);
+    let number = changes(context, finding, out)?;
     if context.client.resolves_edits {
         for (title, program) in [("Repair this constraint", false), ("Change the program so that this holds", true)] {
-            if !listed(out, title) {
+            // What has a number of its own to be changed needs no search for one.
+            let needless = program && number;
+            if !needless && !listed(out, title) {
                 out.push(json!({
                     "title": title, "kind": "quickfix", "diagnostics": marks,
                     "data": { "uri": context.uri, "line": line, "program": program },
@@ -116,6 +192,7 @@ fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Value>) {
             "title": "Repair this constraint", "kind": "quickfix", "diagnostics": marks, "command": command,
         }));
     }
+    Ok(())
 }
 
 /// What is to be worked out.
@@ -149,6 +226,11 @@ impl State {
     /// # Errors
     /// It is no action of ours that has to be worked out.
     pub fn resolve_action(&mut self, id: &Id, mut action: Value) -> Result<(), Fault> {
+        // Some editors have an action completed that is complete.
+        if action.get("edit").is_some_and(Value::is_object) {
+            self.reply(id, Ok(action));
+            return Ok(());
+        }
         let (uri, line, program) = match params(action["data"].clone())? {
             Data::Repair { uri, line, program } => (uri, line, program),
             Data::Edits(chosen) => {
@@ -162,6 +244,9 @@ impl State {
             // An action that does nothing when it is chosen looks like one that failed without a word.
             let Some(edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
             action["edit"] = edit;
+            if let Some(note) = action.pointer_mut("/edit/changeAnnotations/change") {
+                note["needsConfirmation"] = true.into();
+            }
             state.tell("window/logMessage", json!({ "type": 3, "message": outcome.message }));
             state.reply(id, Ok(action));
         });

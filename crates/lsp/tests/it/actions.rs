@@ -138,22 +138,73 @@ fn repair_is_listed_at_once_and_worked_out_on_demand() {
     let note = &whole["edit"]["changeAnnotations"]["change"];
     assert!(note["label"].as_str().unwrap().contains("move `stand[1]`"), "{note}");
     assert!(note["description"].as_str().unwrap().contains("−0.12 m → +"), "{note}");
+    assert_eq!(note["needsConfirmation"], true);
     for kind in ["begin", "end"] {
         client.until(kind, |c| {
             let of = |m: &&Value| m["method"] == "$/progress" && m["params"]["value"]["kind"] == kind;
             c.told.iter().find(of).map(|_| ())
         });
     }
-    // As a change of the program.
+    // No number of the program is to blame, and an assertion is weakened by nothing that does not say so.
     let other = all.iter().find(|a| a["title"] == "Change the program so that this holds").expect("the other").clone();
-    let whole = client.ask("codeAction/resolve", other);
-    let changed = edited(&scene, edits_of(&whole["edit"], &uri));
+    let (_, why) = client.refused("codeAction/resolve", other);
+    assert!(why.contains("no number was found"), "{why}");
+    let title = "Make the assertion a preference: `prefer` instead of `assert`";
+    let weaker = all.iter().find(|a| a["title"] == title).expect("a weaker program");
+    let changed = edited(&scene, edits_of(&weaker["edit"], &uri));
+    assert!(changed.contains("prefer gap(stand[1], bed) >= space"), "{changed}");
     assert_ne!(changed, scene);
     client.set(&uri, &changed);
     assert!(client.published(&uri).iter().all(|m| m["code"] != "V0101"), "{changed}");
     // It holds now: there is nothing to be repaired.
     let all = client.offered(&uri, &changed, "room.scale", None);
     assert!(all.iter().all(|a| a["title"] != "Repair this constraint"));
+    client.stop();
+}
+
+/// Whoever can show a change before it is made is asked to; where objects would be is said, too.
+#[test]
+fn choices_are_shown_before_they_are_made() {
+    let (folder, scene, _) = room();
+    let text = format!("{scene}assert distance(lamp, bed) <= 0.4;\n");
+    let mut plain = crate::client::usual();
+    plain["workspace"]["workspaceEdit"] = json!({ "documentChanges": true });
+    for (can, asks) in [(crate::client::usual(), true), (plain, false)] {
+        let mut client = Client::start_with(folder.path(), can, Value::Null);
+        let uri = client.open("room.scene", &text);
+        client.published(&uri);
+        let all = client.offered(&uri, &text, "assert g|ap(stand", Some("quickfix"));
+        let first = &all[0];
+        assert_eq!(first["title"], "Move `stand[1]` 0.12 m east");
+        let moves = &first["data"]["moves"];
+        assert_eq!((&first["data"]["uri"], &moves[0]["object"]), (&json!(uri), &json!("stand[1]")));
+        assert_eq!(moves[0]["pos"].as_array().map(Vec::len), Some(3));
+        assert_eq!(&client.ask("codeAction/resolve", first.clone()), first, "it is complete");
+        let number = client.offered(&uri, &text, "assert dist|ance(lamp", Some("quickfix"));
+        let number = number.iter().find(|a| a["title"].as_str().unwrap().starts_with("Require ")).expect("a number");
+        assert!(number["title"].as_str().unwrap().ends_with(" m instead of 0.4 m"), "{number}");
+        assert!(edited(&text, edits_of(&number["edit"], &uri)).contains("assert distance(lamp, bed) <= "));
+        for action in [first, number] {
+            let note = &action["edit"]["changeAnnotations"]["change"];
+            assert_eq!(note["needsConfirmation"] == true, asks, "{action}");
+            assert_eq!(note["label"] == action["title"], asks, "{action}");
+        }
+        client.stop();
+    }
+}
+
+#[test]
+fn contradictions_are_refused_with_their_smallest_set() {
+    let (folder, scene, _) = room();
+    let text = format!("{scene}assert bed.pos.x > 0.3;\nassert bed.pos.x < 0.2;\n");
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &text);
+    client.published(&uri);
+    let all = client.offered(&uri, &text, "assert b|ed.pos.x > 0.3", None);
+    let repair = all.iter().find(|a| a["title"] == "Repair this constraint").expect("repair").clone();
+    let (_, why) = client.refused("codeAction/resolve", repair);
+    assert!(why.contains("`bed.pos.x > 0.3` (line ") && why.contains("`bed.pos.x < 0.2` (line "), "{why}");
+    assert!(!why.contains("gap("), "nothing else is in it: {why}");
     client.stop();
 }
 

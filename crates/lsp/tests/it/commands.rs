@@ -116,6 +116,64 @@ fn solving_again_starts_from_what_is_there() {
     client.stop();
 }
 
+/// What is locked stays, and so does all that is not among what alone may move.
+#[test]
+fn some_objects_stay_where_they_are() {
+    let (folder, ..) = room();
+    let mut client = Client::start(folder.path());
+    let text = format!("{STUDY}object lamp;\nlamp.category <- \"lamp\";\nassert inside(lamp, r);\n");
+    let uri = client.open("new.scene", &text);
+    client.published(&uri);
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    let layout = std::fs::read_to_string(folder.path().join("new.layout.json")).unwrap();
+    let data = client.open("new.layout.json", &layout);
+    client.published(&data);
+    let places = |text: &str| -> Vec<Value> {
+        let layout: Value = serde_json::from_str(text).unwrap();
+        ["chair", "lamp"].map(|name| layout["objects"][name]["pos"].clone()).to_vec()
+    };
+    let before = places(&layout);
+    for (hold, stays, goes) in [(json!({ "lock": ["chair"] }), 0, 1), (json!({ "only": ["chair"] }), 1, 0)] {
+        let mut argument = json!({ "uri": uri, "seed": 7 });
+        hold.as_object().unwrap().iter().for_each(|(key, names)| argument[key] = names.clone());
+        let solved = run(&mut client, "scenelang.solveAnew", argument);
+        assert_eq!(solved["holds"], solved["total"], "{solved}");
+        let after = places(&edited(&layout, edits_of(&asked(&client), &data)));
+        assert_eq!(after[stays], before[stays], "{hold}");
+        assert_ne!(after[goes], before[goes], "{hold}");
+        client.set(&data, &layout);
+        client.next_verdict(&uri);
+    }
+    let ask = json!({ "command": "scenelang.solve", "arguments": [{ "uri": uri, "lock": ["ghost"] }] });
+    assert!(client.refused("workspace/executeCommand", ask).1.contains("no `ghost`"));
+    client.stop();
+}
+
+/// Each alternative has a picture, and its seed makes it again.
+#[test]
+fn alternatives_are_made_again_by_their_seeds() {
+    let (folder, ..) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("new.scene", STUDY);
+    client.published(&uri);
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    let found = run(&mut client, "scenelang.alternatives", json!({ "uri": uri }))["alternatives"].clone();
+    let found = found.as_array().unwrap();
+    assert_eq!(found.len(), 4);
+    for one in found {
+        assert_eq!(one["holds"], one["total"], "{one}");
+        assert!(one["plan"].as_str().unwrap().starts_with("<svg"), "{one}");
+    }
+    let pictures: std::collections::BTreeSet<&str> = found.iter().map(|one| one["plan"].as_str().unwrap()).collect();
+    assert!(pictures.len() > 1, "they differ");
+    let chosen = &found[1];
+    let solved = run(&mut client, "scenelang.solveAnew", json!({ "uri": uri, "seed": chosen["seed"] }));
+    assert_eq!(solved["holds"], chosen["holds"]);
+    let seen = client.ask("scenelang/scene", json!({ "uri": uri }));
+    assert_eq!(seen["data"]["plan"], chosen["plan"], "the same room");
+    client.stop();
+}
+
 /// An object that was added is placed, and nothing else is moved.
 #[test]
 fn an_object_is_placed_among_the_others() {

@@ -59,7 +59,7 @@ fn hovering() {
             "object |bed",
             "object bed|Where one sleeps|`bed` is at (0, 0, -0.9), 1.60 × 0.55 × 2.00 m|fails: `bed` overlaps",
         ),
-        ("|assert gap(stand[1]", "**fails**, margin **−0.12 m**|to repair it: move `stand[1]` by +0.12 m along x"),
+        ("|assert gap(stand[1]", "**fails**, margin **−0.12 m**|to repair it: move `stand[1]` 0.12 m east"),
         ("@r|eq(\"a lamp", "“a lamp stands on the left stand”|is met"),
     ] {
         let found = client.ask_at("hover", &uri, &scene, place);

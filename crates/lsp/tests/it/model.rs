@@ -82,7 +82,10 @@ fn a_good_answer_is_taken() {
     let mut wanted: Value = serde_json::from_str(&layout).unwrap();
     wanted["objects"]["stand[1]"]["pos"] = json!([1.06, 0, -1.5]);
     assert_eq!(after, wanted);
-    assert!(words.contains("move `stand[1]` by +0.16 m along x") && words.contains("−0.12 m → +"), "{words}");
+    assert!(
+        words.contains("proposed by the language model: move `stand[1]` 0.16 m east") && words.contains("−0.12 m → +"),
+        "{words}"
+    );
     let questions = asked(&client);
     let params = &questions[0]["params"];
     let text: String = params["messages"].as_array().unwrap().iter().map(|m| m["text"].as_str().unwrap()).collect();
@@ -165,6 +168,20 @@ fn a_model_that_thinks_can_be_called_off() {
     client.send(json!({ "id": late, "result": { "text": "{\"moves\": []}" } }));
     client.model = says("never mind");
     repaired(&mut client, repair, &layout);
+    assert_eq!(client.stop(), 0);
+}
+
+/// Nobody wants the repair of a text that is no longer there, so the search for it ends.
+#[test]
+fn work_ends_when_the_text_changes() {
+    let (_folder, mut client, repair, _) = opened(Model::Thinks);
+    let uri = client.uri("room.scene");
+    let (_, scene, _) = room();
+    let id = client.begin("codeAction/resolve", repair);
+    client.until("the question", |c| (!asked(c).is_empty()).then_some(()));
+    client.set(&uri, &format!("{scene}object more;\n"));
+    let error = &client.end(id)["error"];
+    assert!(error["message"].as_str().unwrap().contains("changed meanwhile"), "{error}");
     assert_eq!(client.stop(), 0);
 }
 

@@ -5,9 +5,12 @@
 //! was to be repaired holds, and what held before still does. A pinned property stays at what the program assigns.
 //!
 //! Moves are looked for in circles, each within a budget that counts work: first what `check` offers for the same rows
-//! (`scenelang_engine::smallest_move`), so that the two agree; only where that breaks something or is nothing, local
+//! (`scenelang_engine::moves_for`), so that the two agree; only where that breaks something or is nothing, local
 //! searches from the layout as it is, and a new solution altogether (`whole`). What a search finds is then taken back as
 //! far as all still holds (`least`).
+//!
+//! What is proved to be contradictory is not searched for: the smallest set of statements that cannot hold together is the
+//! answer, with the numbers and demands that may be changed.
 //!
 //! Absent here: reading and writing of files. Edits of the program are offered as edits of its text.
 
@@ -26,13 +29,18 @@ mod whole;
 use crate::problem::pose::{Pose, half_turn};
 pub use edit::edited;
 use judge::Judge;
+pub use relax::{Relaxed, in_statement};
 use scenelang_base::{Edit, SourceMap};
 use scenelang_engine::limit::Stop;
 use scenelang_lang::Program;
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
+use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{RowRef, Step};
+use scenelang_verify::prove::{Contradiction, ProveOptions, prove};
+use scenelang_verify::report::model::Kind;
+use std::cmp::Ordering;
 use std::path::Path;
 use std::time::Duration;
 
@@ -103,6 +111,8 @@ impl Default for RepairOptions {
 pub struct Repaired {
     /// What was to be repaired: rows that fail. None: there is nothing to do.
     pub failing: Vec<RowRef>,
+    /// A smallest set of statements that cannot hold together, to which some of that belong: then nothing was moved.
+    pub contradiction: Option<Contradiction>,
     /// Ways to repair it, the first being the best. None: no way was found, which proves nothing.
     pub alternatives: Vec<Alternative>,
 }
@@ -133,6 +143,8 @@ pub struct Alternative {
     pub edits: Vec<Edit>,
     /// Of each edit of a number: how far at least it must change, in the unit it is written in.
     pub least: Vec<f64>,
+    /// Of each edit of a number: what it is and what it becomes, with its unit.
+    pub shown: Vec<[String; 2]>,
     /// Preferences that hold in the layout and are given up: indices into [`Program::constraints`].
     pub drops: Vec<usize>,
     /// The layout afterwards.
@@ -182,20 +194,47 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
     let judge = Judge::new(damaged, which, options)?;
     let failing = judge.targets.clone();
     if failing.is_empty() {
-        return Ok(Repaired { failing, alternatives: Vec::new() });
+        return Ok(Repaired { failing, contradiction: None, alternatives: Vec::new() });
     }
-    let first = moves::first(&judge);
-    let mut alternatives: Vec<Alternative> = first.into_iter().collect();
-    if alternatives.iter().all(|a| a.how != How::Moves) {
+    let mut alternatives = moves::offered(&judge);
+    alternatives.truncate(options.alternatives);
+    let moved = alternatives.iter().any(|a| a.how == How::Moves);
+    // What can be moved contradicts nothing that is kept.
+    let contradiction = if moved { None } else { contradiction(&judge, options) };
+    if !moved && contradiction.is_none() {
         alternatives.extend(moves::all(&judge, options, false));
-    }
-    if alternatives.is_empty() {
-        alternatives.extend(preference::drops(&judge, options));
+        if alternatives.is_empty() {
+            alternatives.extend(preference::drops(&judge, options));
+        }
     }
     if let Some(text) = &damaged.text {
         alternatives.extend(relax::numbers(&judge, text, options));
         alternatives.extend(preference::demand(&judge, text));
     }
-    alternatives.sort_by(|a, b| a.how.cmp(&b.how).then(a.cost.total_cmp(&b.cost)));
-    Ok(Repaired { failing, alternatives })
+    // Moves are in the order in which a person would choose; where they come from a search, that is by what they cost.
+    alternatives.sort_by(|a, b| {
+        let by_cost = if a.how == How::Moves { Ordering::Equal } else { a.cost.total_cmp(&b.cost) };
+        a.how.cmp(&b.how).then(by_cost)
+    });
+    Ok(Repaired { failing, contradiction, alternatives })
+}
+
+/// A smallest set of statements that no layout satisfies, if what is to be repaired belongs to one. No move can help then.
+fn contradiction(judge: &Judge<'_>, options: &RepairOptions) -> Option<Contradiction> {
+    let stated = |row: &RowRef| match row.subject {
+        Subject::Statement(index) if row.kind != Kind::Prefer => Some(index),
+        _ => None,
+    };
+    let stated: Vec<usize> = judge.targets.iter().filter_map(stated).collect();
+    if stated.is_empty() {
+        return None;
+    }
+    let proving = ProveOptions {
+        judging: options.judge,
+        redundant: false,
+        cancel: Some(options.stop.flag()),
+        ..ProveOptions::default()
+    };
+    let found = prove(judge.program, &proving).contradictions.into_iter();
+    found.filter(|c| !c.as_usual).find(|c| c.statements.iter().any(|s| stated.contains(s)))
 }

@@ -7,13 +7,19 @@ use super::{Alternative, RepairOptions, least, whole};
 use crate::problem::pose::Pose;
 use crate::search::Snapshot;
 use scenelang_engine::candidate::Change;
-use scenelang_engine::smallest_move;
+use scenelang_engine::moves_for;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;
+use scenelang_verify::explain::SmallestMove;
 
-/// What `check` offers for the same rows; `None`: that does not repair them all, or breaks a demand.
-pub(super) fn first(judge: &Judge<'_>) -> Option<Alternative> {
-    let repair = smallest_move(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets)?;
+/// What `check` offers for the same rows, as far as that repairs them all and breaks no demand.
+pub(super) fn offered(judge: &Judge<'_>) -> Vec<Alternative> {
+    let moves = moves_for(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets);
+    moves.iter().filter_map(|repair| made(judge, repair)).collect()
+}
+
+/// The layout after a move.
+fn made(judge: &Judge<'_>, repair: &SmallestMove) -> Option<Alternative> {
     let mut layout = judge.layout.clone();
     for step in &repair.steps {
         let name = &judge.program.objects[step.object.0 as usize].name;

@@ -6,11 +6,12 @@
 use super::judge::Judge;
 use super::room::describe;
 use super::{Alternative, How, RepairOptions, Text, edit};
-use scenelang_base::{Edit, Span, TextRange};
-use scenelang_lang::program::{Formula, Node};
+use scenelang_base::{Edit, SourceMap, Span, TextRange};
+use scenelang_lang::Program;
+use scenelang_lang::program::{Arg, Arith, Formula, Node, NodeId, Unit};
 use scenelang_lang::token::{self, Kind, UNITS};
 use scenelang_verify::check::Subject;
-use scenelang_verify::{World, judge as evaluate, surroundings};
+use scenelang_verify::{World, cone, judge as evaluate, surroundings};
 
 /// The first change that is tried (metres or degrees), and how much larger each next one is.
 const FIRST: f64 = 1e-3;
@@ -37,11 +38,29 @@ struct Literal {
 }
 
 /// A number that repairs a statement.
-struct Relaxed {
-    edit: Edit,
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relaxed {
+    /// The edit of the text.
+    pub edit: Edit,
+    /// What it was and what it becomes, with its unit.
+    pub shown: [String; 2],
     /// How far it must change at least, in its own unit.
-    least: f64,
-    cost: f64,
+    pub least: f64,
+    /// How far it changes (metres or degrees).
+    pub cost: f64,
+}
+
+/// Numbers written in a statement that repair it in a layout, each by itself, the smallest change first. As nothing else of
+/// the program has them, no other statement changes.
+pub fn in_statement(program: &Program, sources: &SourceMap, world: &World<f64>, index: usize) -> Vec<Relaxed> {
+    let own = program.constraints[index].span;
+    let mut found = statement((program, sources), world, index, false);
+    // One statement may be several constraints, which share its numbers.
+    if program.constraints.iter().enumerate().any(|(i, c)| i != index && c.span == own) {
+        found.clear();
+    }
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found
 }
 
 /// Numbers to be changed so that all targets hold: of one statement each number that does it, of several one each.
@@ -50,7 +69,7 @@ pub(super) fn numbers(judge: &Judge<'_>, text: &Text<'_>, options: &RepairOption
     let mut each: Vec<Vec<Relaxed>> = Vec::new();
     for row in &judge.targets {
         let Subject::Statement(index) = row.subject else { return Vec::new() };
-        let mut found = statement(judge, text, &world, index);
+        let mut found = statement((judge.program, text.sources), &world, index, true);
         if found.is_empty() {
             return Vec::new();
         }
@@ -78,17 +97,23 @@ fn offer(judge: &Judge<'_>, text: &Text<'_>, mut set: Vec<Relaxed>) -> Option<Al
     }
     let least = set.iter().map(|r| r.least).collect();
     let cost = set.iter().map(|r| r.cost).sum();
-    Some(Alternative { how: How::Numbers, edits, least, cost, ..describe(judge, judge.layout.clone(), &[]) })
+    let shown = set.into_iter().map(|r| r.shown).collect();
+    Some(Alternative { how: How::Numbers, edits, least, shown, cost, ..describe(judge, judge.layout.clone(), &[]) })
 }
 
-/// The numbers of a statement that repair it by themselves.
-fn statement(judge: &Judge<'_>, text: &Text<'_>, world: &World<f64>, index: usize) -> Vec<Relaxed> {
-    let constraint = &judge.program.constraints[index];
+/// The numbers of a statement that repair it by themselves; with `defined`, those of what it is made with, too.
+fn statement(
+    (program, sources): (&Program, &SourceMap),
+    world: &World<f64>,
+    index: usize,
+    defined: bool,
+) -> Vec<Relaxed> {
+    let constraint = &program.constraints[index];
     let formula = &constraint.formula;
-    let source = text.sources.get(constraint.span.file);
+    let source = sources.get(constraint.span.file);
     let start = constraint.span.range.start;
     let ranges: Vec<TextRange> = formula.ranges.iter().map(|r| r.shifted(start)).collect();
-    let mut literals = in_text(text, constraint.span);
+    let mut literals = in_text(sources, constraint.span);
     for literal in &mut literals {
         let own = |range: &TextRange| {
             let place = literal.place.range;
@@ -102,10 +127,10 @@ fn statement(judge: &Judge<'_>, text: &Text<'_>, world: &World<f64>, index: usiz
             literal.nodes = nodes(formula, literal.written * literal.per, |_| true);
         }
     }
-    for definition in &constraint.definitions {
+    for definition in constraint.definitions.iter().filter(|_| defined) {
         // What a variable stands for has the place of the variable.
         let named = |i: usize| source.slice(ranges[i]).starts_with(|c: char| c.is_alphabetic() || c == '_');
-        for mut literal in in_text(text, judge.program.definitions[*definition].span) {
+        for mut literal in in_text(sources, program.definitions[*definition].span) {
             literal.nodes = nodes(formula, literal.written * literal.per, named);
             literals.push(literal);
         }
@@ -114,8 +139,8 @@ fn statement(judge: &Judge<'_>, text: &Text<'_>, world: &World<f64>, index: usiz
 }
 
 /// The numbers that stand in a text, indices and the ends of ranges left out.
-fn in_text(text: &Text<'_>, span: Span) -> Vec<Literal> {
-    let whole = text.sources.text(span);
+fn in_text(sources: &SourceMap, span: Span) -> Vec<Literal> {
+    let whole = sources.text(span);
     let tokens: Vec<token::Token> = token::lex(whole).into_iter().filter(|t| !t.kind.is_trivia()).collect();
     let mut out = Vec::new();
     for (i, token) in tokens.iter().enumerate().filter(|(_, t)| t.kind == Kind::Number) {
@@ -199,5 +224,36 @@ fn relaxed(formula: &Formula, world: &World<f64>, literal: &Literal) -> Option<R
     let fits = |x: &f64| (x - value).abs() <= ROUND * least.abs();
     let best = (0..=9).map(round).filter(fits).find(|x| holds(x * literal.per))?;
     let edit = Edit { place: literal.place, text: format!("{}{}", best + 0.0, literal.unit) };
-    Some(Relaxed { edit, least, cost: high.abs() })
+    let margin = evaluate(formula, world).map_or(Unit::Metre, |truth| truth.unit);
+    let unit = unit(formula, literal, margin);
+    let shown = [literal.written, best + 0.0].map(|x| format!("{x}{unit}"));
+    Some(Relaxed { edit, shown, least, cost: high.abs() })
+}
+
+/// The unit of a number as it is read: the one that is written or, where it is compared with a length or an angle, that
+/// of these.
+fn unit(formula: &Formula, literal: &Literal, margin: Unit) -> String {
+    if !literal.unit.is_empty() {
+        return if literal.unit == "deg" { "°".to_owned() } else { format!(" {}", literal.unit) };
+    }
+    let own = |id: &NodeId| literal.nodes.iter().any(|(node, _)| *node == id.0 as usize);
+    // A count has no unit, and a product or a quotient may have another one.
+    let plain = |id: NodeId| {
+        let nodes = cone(formula, id);
+        nodes.iter().any(|id| matches!(formula.node(*id), Node::Count(_) | Node::Arith(Arith::Mul | Arith::Div, ..)))
+    };
+    let compared = formula.nodes.iter().find_map(|node| match node {
+        Node::Compare(_, unit, a, b) if own(a) => Some((*unit, *b)),
+        Node::Compare(_, unit, a, b) if own(b) => Some((*unit, *a)),
+        _ => None,
+    });
+    // What is measured by a built-in predicate has the unit of its margin.
+    let given = |arg: &Arg| matches!(arg, Arg::Value(id) if own(id));
+    let measured = formula.nodes.iter().any(|n| matches!(n, Node::BuiltIn(_, args) if args.iter().any(given)));
+    let compared = compared.filter(|(_, other)| !plain(*other)).map(|(unit, _)| unit);
+    match compared.or(measured.then_some(margin)) {
+        Some(Unit::Degree) => "°".to_owned(),
+        Some(Unit::Metre) => " m".to_owned(),
+        _ => String::new(),
+    }
 }

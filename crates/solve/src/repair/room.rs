@@ -298,7 +298,7 @@ pub(super) fn describe(judge: &Judge<'_>, layout: Layout, broken: &[RowRef]) -> 
     });
     let drops: Vec<usize> = drops.collect();
     let how = if drops.is_empty() { How::Moves } else { How::Drop };
-    Alternative { how, moves, also, edits: Vec::new(), least: Vec::new(), drops, layout, cost }
+    Alternative { how, moves, also, edits: Vec::new(), least: Vec::new(), shown: Vec::new(), drops, layout, cost }
 }
 
 /// Metres that the farthest point of an object travels at most, by its weight.

@@ -182,7 +182,7 @@ const GOOD: [[f64; 3]; 3] = [[0.0, 0.0, -0.4], [0.2, 0.45, -0.4], [1.2, 0.0, -1.
 #[test]
 fn what_holds_needs_nothing() {
     let (found, _) = told(SCENE, &layout(GOOD[0], GOOD[1], GOOD[2]), &Which::All);
-    assert_eq!(found, Repaired { failing: Vec::new(), alternatives: Vec::new() });
+    assert_eq!(found, Repaired { failing: Vec::new(), contradiction: None, alternatives: Vec::new() });
 }
 
 #[test]

@@ -1,13 +1,14 @@
 //! What is said of repairs, and which rows they are to repair: the command, the server for assistants and the Python module
 //! say the same.
 
-use super::{Alternative, How, Moved};
-use scenelang_base::Edit;
+use super::{Alternative, How, Moved, Repaired};
+use scenelang_base::{Edit, SourceMap, Span};
 use scenelang_lang::Program;
-use scenelang_lang::program::ObjectId;
+use scenelang_lang::program::{Constraint, ConstraintKind, ObjectId};
 use scenelang_verify::Checked;
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
+use scenelang_verify::prove::Contradiction;
 use scenelang_verify::report::{self, model::Place};
 use serde_json::{Value, json};
 
@@ -69,12 +70,17 @@ impl Told<'_> {
     }
 
     /// The answer as JSON.
-    pub fn json(&self, failing: &[RowRef], all: &[Alternative], applied: Option<usize>, written: &[String]) -> Value {
-        let failing = self.failing(failing).into_iter();
+    pub fn json(&self, found: &Repaired, applied: Option<usize>, written: &[String]) -> Value {
+        let failing = self.failing(&found.failing).into_iter();
+        let all = &found.alternatives;
+        let member = |(id, text)| json!({ "id": id, "text": text });
+        let members = |c| self.members(c).into_iter().map(member).collect::<Vec<_>>();
+        let contradiction = found.contradiction.as_ref().map(members);
         let mut out = json!({
             "format": "scenelang.repair/1",
             "file": self.name,
             "failing": failing.map(|(id, kind, text)| json!({ "id": id, "kind": kind, "text": text })).collect::<Vec<_>>(),
+            "contradiction": contradiction,
             "alternatives": all.iter().map(|a| self.alternative(a)).collect::<Vec<_>>(),
             "applied": applied,
             "written": written,
@@ -114,17 +120,24 @@ impl Told<'_> {
         })
     }
 
-    /// An alternative in the imperative.
+    /// An alternative in the imperative, with the places of its edits.
     pub fn words(&self, a: &Alternative) -> String {
-        let mut parts = Vec::new();
-        let steps: Vec<Step> = a.moves.iter().map(Moved::step).collect();
-        if !steps.is_empty() {
-            parts.push(move_in_words(self.program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
+        let sources = &self.checked.sources;
+        let mut parts = layout_in_words(self.program, a);
+        let place = |edit: &Edit| {
+            let Place { file, start: [line, column], .. } = report::place(sources, edit.place);
+            format!("{file}:{line}:{column}")
+        };
+        if a.how == How::Prefer {
+            let places: Vec<String> = a.edits.iter().map(place).collect();
+            parts.push(format!("{} ({})", demoted(a.edits.len()), places.join(", ")));
+        } else {
+            parts.extend(a.edits.iter().enumerate().map(|(i, edit)| {
+                let least = |least: &f64| format!(", by at least {}", short(least.abs()));
+                let least = a.least.get(i).map_or(String::new(), least);
+                format!("{} ({}{least})", edit_in_words(self.program, sources, a, i), place(edit))
+            }));
         }
-        if !a.also.is_empty() {
-            parts.push(format!("change `{}`", a.also.join("`, `")));
-        }
-        parts.extend(a.edits.iter().enumerate().map(|(i, edit)| self.edit(a, i, edit)));
         parts.extend(
             a.drops.iter().map(|i| {
                 format!("give up the preference {} `{}`", self.statement(*i), self.program.constraints[*i].text)
@@ -133,16 +146,67 @@ impl Told<'_> {
         parts.join("; ")
     }
 
-    fn edit(&self, a: &Alternative, i: usize, edit: &Edit) -> String {
-        let Place { file, start: [line, column], .. } = report::place(&self.checked.sources, edit.place);
-        let old = self.checked.sources.text(edit.place);
-        let change = format!("{file}:{line}:{column}: {old} → {}", edit.text);
-        match (a.how, a.least.get(i)) {
-            (How::Prefer, _) => format!("make it a preference: {change}"),
-            (_, Some(least)) => format!("change a number: {change} (by at least {})", short(*least)),
-            _ => change,
-        }
+    /// The statements of a contradiction: id and text of each, in their order.
+    pub fn members(&self, found: &Contradiction) -> Vec<(String, String)> {
+        let text = |i: usize| self.program.constraints[i].text.split_whitespace().collect::<Vec<_>>().join(" ");
+        found.statements.iter().map(|i| (self.statement(*i), text(*i))).collect()
     }
+}
+
+/// An alternative in the imperative, as an editor names it.
+pub fn title(program: &Program, sources: &SourceMap, a: &Alternative) -> String {
+    let mut parts = layout_in_words(program, a);
+    if a.how == How::Prefer {
+        parts.push(demoted(a.edits.len()));
+    } else {
+        parts.extend((0..a.edits.len()).map(|i| edit_in_words(program, sources, a, i)));
+    }
+    parts.extend(a.drops.iter().map(|i| format!("give up the preference `{}`", program.constraints[*i].text)));
+    parts.join("; ")
+}
+
+/// What changes in the layout.
+fn layout_in_words(program: &Program, a: &Alternative) -> Vec<String> {
+    let mut parts = Vec::new();
+    let steps: Vec<Step> = a.moves.iter().map(Moved::step).collect();
+    if !steps.is_empty() {
+        parts.push(move_in_words(program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
+    }
+    if !a.also.is_empty() {
+        parts.push(format!("change `{}`", a.also.join("`, `")));
+    }
+    parts
+}
+
+/// What an edit of the text means.
+fn edit_in_words(program: &Program, sources: &SourceMap, a: &Alternative, i: usize) -> String {
+    let Edit { place, text } = &a.edits[i];
+    match a.shown.get(i) {
+        Some(shown) => number_in_words(program, *place, shown),
+        None => format!("write `{text}` for `{}`", sources.text(*place)),
+    }
+}
+
+/// An assertion that becomes a preference.
+pub const PREFER: &str = "make the assertion a preference: `prefer` instead of `assert`";
+
+/// The same of several.
+fn demoted(count: usize) -> String {
+    match count {
+        0 | 1 => PREFER.to_owned(),
+        n => format!("make {n} assertions preferences: `prefer` instead of `assert`"),
+    }
+}
+
+/// Another number: "require 0.5 m instead of 0.4 m".
+pub fn number_in_words(program: &Program, place: Span, [old, new]: &[String; 2]) -> String {
+    let around = |c: &&Constraint| c.span.file == place.file && c.span.range.cover(place.range) == c.span.range;
+    let verb = match program.constraints.iter().find(around).map(|c| &c.kind) {
+        Some(ConstraintKind::Assert) => "require",
+        Some(ConstraintKind::Prefer { .. }) => "prefer",
+        _ => "write",
+    };
+    format!("{verb} {new} instead of {old}")
 }
 
 /// What changes, in a word.

@@ -3,6 +3,7 @@
 mod diagnosis;
 mod hostile;
 mod opening;
+mod violations;
 
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Options as Reading, compile_text};

@@ -50,6 +50,9 @@ pub struct Explanation {
     pub opposing: Vec<RowRef>,
     /// The move offered.
     pub repair: Option<SmallestMove>,
+    /// Moves that repair it and break nothing, of different objects or in different ways, the best first. The first is the
+    /// move offered, if that breaks nothing.
+    pub choices: Vec<SmallestMove>,
     /// Assignments that keep its objects from being moved, where all of them are kept.
     pub pinned: Vec<RowRef>,
     /// Whether a move was looked for.

@@ -72,19 +72,16 @@ fn degrees(x: f64) -> String {
     text.strip_suffix(".0").map_or(text.clone(), |whole| if whole == "-0" { "0".into() } else { whole.to_owned() })
 }
 
-/// A number with its sign, as short as it can be to the tenth of a millimetre, two digits at least.
-fn signed(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let mut text = format!("{x:+.4}");
+/// A length without its sign, as short as it can be to the tenth of a millimetre, two digits at least.
+fn length(x: f64) -> String {
+    let mut text = format!("{:.4}", x.abs());
     while text.ends_with('0') && text.split('.').nth(1).is_some_and(|digits| digits.len() > 2) {
         text.pop();
     }
     text
 }
 
-/// A move in the imperative: "move `nightstand` by +0.07 m along x".
+/// A move in the imperative: "move `nightstand` 0.07 m east". North is +z, and east is +x.
 pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
     let mut parts: Vec<(String, Vec<&str>, &Step)> = Vec::new();
     for step in &repair.steps {
@@ -105,16 +102,32 @@ pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
 /// One step, with `{}` where the name goes.
 fn step_in_words(step: &Step) -> String {
     let [x, y, z] = step.by;
-    let turn = format!("{}{}°", if step.turn > 0.0 { "+" } else { "" }, degrees(step.turn));
-    let moved = match [x != 0.0, y != 0.0, z != 0.0] {
-        [false, false, false] => return format!("turn {{}} by {turn}"),
-        [true, false, false] => format!("move {{}} by {} m along x", signed(x)),
-        [false, false, true] => format!("move {{}} by {} m along z", signed(z)),
-        [false, true, false] if y > 0.0 => format!("raise {{}} by {} m", &signed(y)[1..]),
-        [false, true, false] => format!("lower {{}} by {} m", &signed(y)[1..]),
-        _ => format!("move {{}} by ({}, {}, {}) m", signed(x), signed(y), signed(z)),
+    let along = |by: f64, [less, more]: [&str; 2]| {
+        (by != 0.0).then(|| format!("{} m {}", length(by), if by < 0.0 { less } else { more }))
     };
-    if step.turn == 0.0 { moved } else { format!("{moved} and turn it by {turn}") }
+    let ways = [along(x, ["west", "east"]), along(z, ["south", "north"]), along(y, ["down", "up"])];
+    let ways: Vec<String> = ways.into_iter().flatten().collect();
+    let moved = match ways.split_last() {
+        None => return format!("turn {{}} by {}", turn_in_words(step.turn)),
+        Some(_) if x == 0.0 && z == 0.0 => {
+            format!("{} {{}} by {} m", if y < 0.0 { "lower" } else { "raise" }, length(y))
+        }
+        Some((last, [])) => format!("move {{}} {last}"),
+        Some((last, rest)) => format!("move {{}} {} and {last}", rest.join(", ")),
+    };
+    if step.turn == 0.0 { moved } else { format!("{moved}, and turn it by {}", turn_in_words(step.turn)) }
+}
+
+/// A turn about the vertical, as it is seen from above.
+fn turn_in_words(turn: f64) -> String {
+    let size = degrees(turn.abs());
+    // A half turn is the same either way.
+    let sense = match turn {
+        _ if size == "180" => "",
+        _ if turn < 0.0 => " anticlockwise",
+        _ => " clockwise",
+    };
+    format!("{size}°{sense}")
 }
 
 /// A row as a note names it; `place` says where a statement stands.
@@ -162,12 +175,14 @@ mod tests {
     fn steps_have_words() {
         let step = |by: [f64; 3], turn: f64| step_in_words(&Step { object: ObjectId(0), by, turn, with: None });
         for (by, turn, want) in [
-            ([0.07, 0.0, 0.0], 0.0, "move {} by +0.07 m along x"),
-            ([0.0, 0.0, -1.5], 0.0, "move {} by -1.50 m along z"),
+            ([0.07, 0.0, 0.0], 0.0, "move {} 0.07 m east"),
+            ([0.0, 0.0, -1.5], 0.0, "move {} 1.50 m south"),
             ([0.0, 0.2, 0.0], 0.0, "raise {} by 0.20 m"),
             ([0.0, -0.2005, 0.0], 0.0, "lower {} by 0.2005 m"),
-            ([0.1, 0.0, -0.2], 90.0, "move {} by (+0.10, 0, -0.20) m and turn it by +90°"),
-            ([0.0; 3], -14.5, "turn {} by -14.5°"),
+            ([0.1, 0.0, -0.2], 90.0, "move {} 0.10 m east and 0.20 m south, and turn it by 90° clockwise"),
+            ([-1.0, 0.5, 0.3], 0.0, "move {} 1.00 m west, 0.30 m north and 0.50 m up"),
+            ([0.0; 3], -14.5, "turn {} by 14.5° anticlockwise"),
+            ([0.0; 3], -180.0, "turn {} by 180°"),
         ] {
             assert_eq!(step(by, turn), want);
         }

@@ -123,6 +123,7 @@ impl Builder<'_> {
             objects: from.objects.iter().map(|place| self.whereabouts(place)).collect(),
             opposing: ids(&from.opposing),
             repair: from.repair.as_ref().and_then(|repair| self.repair(repair)),
+            choices: from.choices.iter().filter_map(|choice| self.repair(choice)).collect(),
             pinned: ids(&from.pinned),
         }
     }

@@ -277,6 +277,10 @@ pub struct Explanation {
     /// A move after which the row holds; the one that breaks least and, of these, the smallest.
     #[serde(default, rename = "move", skip_serializing_if = "Option::is_none")]
     pub repair: Option<Move>,
+    /// Moves after which the row holds and that break nothing, the best first: each moves another object, or turns one
+    /// instead of moving it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub choices: Vec<Move>,
     /// Where all objects of the row are pinned, the rows of these assignments.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pinned: Vec<String>,

@@ -1,0 +1,86 @@
+//! Moves that were judged: which of two is better, and which are offered as choices.
+
+use super::stage::Consequences;
+use scenelang_lang::program::ObjectId;
+use scenelang_verify::explain::Step;
+use scenelang_verify::report::model::Kind;
+use std::cmp::Reverse;
+
+/// So many choices are offered.
+const CHOICES: usize = 3;
+/// A choice costs at most so many times what the first one costs, and so much more (metres): nobody moves a wardrobe
+/// across the room where a chair can be pushed aside.
+const FARTHER: (f64, f64) = (3.0, 0.5);
+
+/// A move with what it does.
+#[derive(Clone, Debug)]
+pub(super) struct Judged {
+    pub cost: f64,
+    pub steps: Vec<Step>,
+    pub does: Consequences,
+    /// Of what is wanted, how much does not hold.
+    pub open: usize,
+    /// Whether it moves a door or a window.
+    pub fitting: bool,
+    /// Whether it only turns an object, and that is what the rows are about.
+    pub directed: bool,
+}
+
+impl Judged {
+    /// How much that must hold is broken or left as it is; then how many preferences are broken.
+    pub fn harm(&self) -> (usize, usize) {
+        let (hard, soft) = self.does.harm();
+        (hard + self.open, soft)
+    }
+
+    /// Less harm first, then what leaves doors and windows alone, then what repairs more, then turns that are asked for,
+    /// then the smaller one.
+    pub fn better_than(&self, other: &Self) -> bool {
+        let hard = |j: &Self| j.does.repairs.iter().filter(|row| row.kind != Kind::Prefer).count();
+        let key = |j: &Self| (j.harm(), j.fitting, Reverse(hard(j)), !j.directed);
+        key(self) < key(other) || key(self) == key(other) && self.cost < other.cost
+    }
+
+    /// What is moved by itself, and whether it is only turned. Of moves of the same kind one is enough.
+    fn kind(&self) -> Vec<(ObjectId, bool)> {
+        let own = self.steps.iter().filter(|step| step.with.is_none());
+        let mut kind: Vec<(ObjectId, bool)> = own.map(|step| (step.object, is_turn(step))).collect();
+        kind.sort_unstable();
+        kind
+    }
+}
+
+/// Keeps the better one.
+pub(super) fn keep(best: &mut Option<Judged>, new: Option<Judged>) {
+    if let Some(new) = new.filter(|new| best.as_ref().is_none_or(|b| new.better_than(b))) {
+        *best = Some(new);
+    }
+}
+
+/// Whether a step turns its object where it stands.
+pub(super) fn is_turn(step: &Step) -> bool {
+    step.by == [0.0; 3]
+}
+
+/// What is offered beside the best move: others that do no harm, each of its own kind. Where the best one does harm, there
+/// are none.
+pub(super) fn choose(best: Judged, others: Vec<Judged>) -> Vec<Judged> {
+    let most = FARTHER.0 * best.cost + FARTHER.1;
+    let mut choices = vec![best];
+    if choices[0].harm() != (0, 0) {
+        return choices;
+    }
+    let best = choices[0].clone();
+    // What can be turned need not be moved as well.
+    let turned = |other: &Judged| best.directed && other.kind().iter().any(|(id, _)| *id == best.steps[0].object);
+    let fits = |other: &Judged| other.cost <= most && other.fitting <= best.fitting && !turned(other);
+    let mut others: Vec<Judged> = others.into_iter().filter(fits).collect();
+    while choices.len() < CHOICES {
+        others.retain(|other| choices.iter().all(|known| known.kind() != other.kind()));
+        let mut next = None;
+        others.iter().for_each(|other| keep(&mut next, Some(other.clone())));
+        let Some(next) = next else { break };
+        choices.push(next);
+    }
+    choices
+}

@@ -1,0 +1,139 @@
+//! One violation of each kind in a furnished room: what is offered to repair it, in the order in which it is offered, and what
+//! is said of contradictions (`studio/cases.txt`). None of it takes a search.
+
+use scenelang_base::{FileId, SourceFile, SourceMap};
+use scenelang_lang::compile_main;
+use scenelang_lang::sources::Loader;
+use scenelang_layout::{Layout, Vec3, file};
+use scenelang_solve::repair::told::title;
+use scenelang_solve::repair::{Alternative, Damaged, How, RepairOptions, Text, Which, repair};
+use scenelang_verify::rules::support;
+use scenelang_verify::{Options, World, check};
+use std::path::Path;
+
+const SCENE: &str = include_str!("studio/studio.scene");
+const LAYOUT: &str = include_str!("studio/studio.layout.json");
+const CASES: &str = include_str!("studio/cases.txt");
+
+/// A way to damage the room, and what is to be offered.
+#[derive(Default)]
+struct Case {
+    title: String,
+    /// Statements that are added to the program.
+    added: String,
+    /// Where objects are put, and the yaw to which they are turned.
+    moved: Vec<(String, Option<Vec3>, Option<f64>)>,
+    /// The choices, as an editor names them, and the members of a contradiction.
+    offered: Vec<String>,
+}
+
+fn cases() -> Vec<Case> {
+    let mut out: Vec<Case> = Vec::new();
+    for line in CASES.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")) {
+        if let Some(title) = line.strip_prefix("# ") {
+            out.push(Case { title: title.to_owned(), ..Case::default() });
+            continue;
+        }
+        let case = out.last_mut().expect("a case begins with its title");
+        if let Some(statement) = line.strip_prefix("+ ") {
+            case.added += &format!("{statement}\n");
+        } else if line.starts_with("- ") || line.starts_with("! ") {
+            case.offered.push(line.to_owned());
+        } else if let Some((name, yaw)) = line.split_once(" turned ") {
+            case.moved.push((name.to_owned(), None, Some(yaw.parse().expect("degrees"))));
+        } else {
+            let (name, place) = line.split_once(" at ").expect("NAME at X Y Z");
+            let numbers: Vec<f64> = place.split(' ').map(|n| n.parse().expect("metres")).collect();
+            case.moved.push((name.to_owned(), Some(Vec3::from_column_slice(&numbers)), None));
+        }
+    }
+    out
+}
+
+struct Memory(String);
+
+impl Loader for Memory {
+    fn load(&self, _: &Path) -> std::io::Result<Vec<u8>> {
+        Ok(self.0.as_bytes().to_vec())
+    }
+}
+
+fn layout() -> Layout {
+    let read = file::read(LAYOUT, FileId(0));
+    assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
+    read.layout
+}
+
+fn is_move(alternative: &Alternative) -> bool {
+    alternative.how == How::Moves
+}
+
+#[test]
+fn the_first_choice_is_what_a_person_would_do() {
+    for case in cases() {
+        let name = &case.title;
+        let text = Memory(format!("{SCENE}{}", case.added));
+        let path = Path::new("studio.scene");
+        let mut sources = SourceMap::new();
+        let main = sources.add(SourceFile::new("studio.scene", path, &text.0));
+        let compiled = compile_main(main, scenelang_lang::Options::default(), &text, sources);
+        let program = compiled.program.unwrap_or_else(|| panic!("{name}: {:?}", compiled.diagnostics));
+        let mut hurt = layout();
+        for (moved, pos, yaw) in &case.moved {
+            let (_, placed) = hurt.objects.iter_mut().find(|(n, _)| n == moved).unwrap_or_else(|| panic!("{moved}"));
+            placed.pos = pos.unwrap_or(placed.pos);
+            placed.rot.y = yaw.unwrap_or(placed.rot.y);
+        }
+        let source = Text {
+            name: "studio.scene",
+            path,
+            compile: scenelang_lang::Options::default(),
+            loader: &text,
+            sources: &compiled.sources,
+        };
+        let asked = Damaged { program: &program, layout: &hurt, text: Some(source) };
+        // No search is paid for.
+        let options = RepairOptions { budget: 0, ..RepairOptions::default() };
+        let found = repair(&asked, &Which::All, &options).unwrap_or_else(|_| panic!("{name}: cannot be judged"));
+        let statements = found.contradiction.iter().flat_map(|c| &c.statements);
+        let members = statements.map(|i| format!("! {}", program.constraints[*i].text));
+        let titles = found.alternatives.iter().map(|a| format!("- {}", title(&program, &compiled.sources, a)));
+        assert_eq!(members.chain(titles).collect::<Vec<_>>(), case.offered, "{name}");
+        for choice in found.alternatives.iter().filter(|a| is_move(a)) {
+            let after = check(&program, &choice.layout, &Options::default());
+            let fails: Vec<&str> =
+                after.rows.iter().filter(|r| r.satisfied != Some(true)).map(|r| r.text.as_str()).collect();
+            assert!(fails.is_empty(), "{name}: {fails:?}");
+            let carriers = |layout: &Layout| {
+                let world = World::<f64>::new(&program, layout, &Options::default());
+                let moved = choice.moves.iter().map(|m| m.object);
+                moved
+                    .map(|id| {
+                        let rest = support::rest(&world, id, &support::others(&world, id)).ok()?;
+                        let holds = rest.truth(&Options::default().tolerances).holds;
+                        holds.then_some(rest.carrier)
+                    })
+                    .collect::<Vec<_>>()
+            };
+            let (before, now) = (carriers(&hurt), carriers(&choice.layout));
+            let same = before.iter().zip(&now).all(|(before, now)| before.is_none() || before == now);
+            assert!(same, "{name}: {before:?} {now:?}");
+        }
+    }
+}
+
+#[test]
+fn the_room_itself_holds() {
+    let compiled = scenelang_lang::compile_text(
+        "studio.scene",
+        Path::new("studio.scene"),
+        SCENE,
+        scenelang_lang::Options::default(),
+    );
+    let program = compiled.program.expect("it compiles");
+    assert_eq!(program.objects.len(), 16);
+    let verdict = check(&program, &layout(), &Options::default());
+    assert!(verdict.rows.iter().all(|row| row.satisfied == Some(true)));
+    // Each case damages it.
+    assert!(cases().len() >= 10 && cases().iter().all(|case| !case.offered.is_empty()));
+}
