@@ -195,10 +195,31 @@ pub(super) fn car_lift(a: &Ask) -> Model {
     m
 }
 
-/// Tires lying on each other.
+fn tire_rack(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let (steel, tyre) = (a.main(stuff::BLACK_STEEL), stuff::RUBBER.surface());
+    for end in b.share(0.0..0.03, 0.0..1.0, 0.0..1.0).both_sides() {
+        m.board(end, &steel);
+    }
+    for row in b.share(0.03..0.97, 0.0..1.0, 0.0..1.0).split(1, pieces(a.h, 0.72, 1, 4), 0.0) {
+        m.board(row.share(0.0..1.0, 0.08..0.12, 0.02..0.98), &steel);
+        let held = row.share(0.0..1.0, 0.12..0.96, 0.04..0.96);
+        m.solid(held);
+        for place in held.split(0, pieces(held.size().x, 0.23, 1, 12), 0.02) {
+            m.mesh.disc(0, place, &tyre);
+        }
+    }
+    m
+}
+
+/// Tires lying on each other, or side by side on the boards of a rack.
 pub(super) fn tire_stack(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
+    if a.says(&["rack"]) {
+        return tire_rack(a);
+    }
     let tyre = a.main(stuff::RUBBER);
     let side = [(0.55, 0.0), (0.92, 0.04), (1.0, 0.25), (1.0, 0.75), (0.92, 0.96), (0.55, 1.0), (0.55, 0.0)];
     m.solid_drum(b);

@@ -5,7 +5,7 @@ use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::inventory::{TEAM, counter_length};
-use super::kinds::{Line, Place, seats_all};
+use super::kinds::{self, Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
 use super::spots::{free, gate, in_row, is_driven_in, kept, lanes, near, near_to, nominal, staffed, watched_from};
@@ -107,7 +107,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // A kitchen is no counter at which guests are served.
     let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
     let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line));
-    let line = lines.find(|line| stand::counts_as(line.noun, &noun));
+    let line = lines.find(|line| stand::counts_as(line.noun, &noun)).or_else(|| received(&noun));
     let own = line.map(|line| &line.place);
     let is_table = stand::group(&it.category) == Group::Table;
     let in_rows = match own {
@@ -138,7 +138,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
-    let apart = it.count == 1 && matches!(own, Some(Place::Floor | Place::Middle));
+    let is_visited = groups::of(&noun, plan.kind.dress).iter().any(|p| matches!(p.at, groups::Where::RowBehind(..)));
+    let apart = (it.count == 1 || is_visited) && matches!(own, Some(Place::Floor | Place::Middle));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
     // A car stands in line with the gate, and so does what lifts it.
@@ -165,13 +166,18 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     }
     let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside };
-    if !(plan.ground.is_some() && is_on_floor && place(plan, thing, wall, &like)) {
-        // What is asked for and finds no place wants a larger room.
-        let is_free = is_on_floor && !plan.is_placed(thing);
-        plan.lacking += usize::from(plan.matters && plan.ground.is_some() && is_free);
+    // A mat has a place of its own, on which nothing stands.
+    let is_mat = stand::group(&noun) == Group::Flat && noun.ends_with("mat") && !plan.is_placed(thing);
+    if !(plan.ground.is_some() && (is_on_floor || is_mat) && place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// A desk at which visitors are received stands as in a reception, in rooms that usually have none.
+fn received(noun: &str) -> Option<&'static Line> {
+    let desk = noun.ends_with("reception desk") || noun.ends_with("front desk");
+    kinds::of("reception").filter(|_| desk)?.lines.iter().find(|line| line.noun == "reception desk")
 }
 
 /// How things of a kind stand in a room.

@@ -218,7 +218,11 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
 pub(super) fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
     let Place::Opposite(other) = &line.place else { return None };
     let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
-    here.find(|t| t.category.replace('_', " ").ends_with(other.as_str())).map(|t| t.name.clone())
+    here.find(|t| {
+        let noun = t.category.replace('_', " ");
+        noun.ends_with(other.as_str()) || stand::are_kin(other, &noun)
+    })
+    .map(|t| t.name.clone())
 }
 
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
