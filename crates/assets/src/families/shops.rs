@@ -112,7 +112,7 @@ pub(super) fn record_bin(a: &Ask) -> Model {
     let chest = b.share(0.0..1.0, 0.56..0.9, 0.0..1.0);
     m.legs(b.share(0.03..0.97, 0.0..0.56, 0.06..0.94), 0.05_f64.min(0.08 * a.w), &wood);
     m.board(chest.share(0.0..1.0, 0.0..0.08, 0.0..1.0), &wood);
-    let t = 0.018_f64.min(0.04 * a.w);
+    let t = 0.018_f64.min(0.04 * a.w).min(0.1 * a.d);
     for side in chest.share(0.0..1.0, 0.08..1.0, 0.0..1.0).x(chest.min.x..chest.min.x + t).both_sides() {
         m.board(side, &wood);
     }
@@ -151,14 +151,14 @@ pub(super) fn produce_stand(a: &Ask) -> Model {
         let floor = a.h * (0.34 + 0.42 * (tiers - 1 - tier) as f64 / tiers as f64);
         m.board(depth.y(0.0..floor), &wood);
         m.solid(depth.y(floor..floor + 0.16 * a.h));
-        for place in depth.y(floor..floor + 0.16 * a.h).split(0, pieces(a.w, 0.42, 2, 6), 0.02) {
+        for place in depth.y(floor..floor + 0.16 * a.h).split(0, pieces(a.w, 0.36, 2, 5), 0.02) {
             let size = place.size();
             let crate_of = place.share(0.02..0.98, 0.0..0.5, 0.06..0.94);
             m.mesh.crisp(crate_of, &stuff::BIRCH.surface());
             let fruit = Stuff(Finish::Ceramic, *dice.pick(FRUIT)).surface();
             let heap = place.share(0.08..0.92, 0.5..1.0, 0.12..0.88);
-            for row in heap.split(2, pieces(size.z, 0.12, 1, 3), 0.0) {
-                for one in row.split(0, pieces(size.x, 0.12, 2, 4), 0.0) {
+            for row in heap.split(2, pieces(size.z, 0.14, 1, 2), 0.0) {
+                for one in row.split(0, 2, 0.0) {
                     m.mesh.rounded(one, 0.48 * one.size().min(), 1, &fruit);
                 }
             }

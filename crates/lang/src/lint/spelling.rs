@@ -61,7 +61,8 @@ fn colors(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     let texts = facts.statements.iter().flat_map(|linted| linted.uses.texts.iter().map(move |text| (linted, text)));
     for (linted, text) in texts.filter(|(_, t)| !t.compared && is_color(&t.property)) {
         let Some(place) = linted.place.span(text.range) else { continue };
-        if known.contains(&text.text.as_str()) {
+        // So long a text is no name.
+        if known.contains(&text.text.as_str()) || text.text.len() > LONGEST {
             continue;
         }
         known.push(&text.text);
@@ -75,6 +76,14 @@ fn colors(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             applicability: Applicability::Unsafe,
         });
         out.push(d);
+    }
+}
+
+/// A text as it is quoted in a message.
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
     }
 }
 
@@ -96,7 +105,7 @@ fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             continue;
         }
         known.push(&text.text);
-        let message = format!("unknown category \"{}\"", text.text);
+        let message = format!("unknown category \"{}\"", shortened(&text.text));
         let mut d = Diagnostic::new(codes::W0205, place, message)
             .note("an object of an unknown category has no usual size and looks like a box; `scenelang categories` lists the known ones");
         if let Some(near) = library::nearest_category(&text.text) {
