@@ -138,8 +138,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
-    let is_visited = groups::of(&noun, plan.kind.dress).iter().any(|p| matches!(p.at, groups::Where::RowBehind(..)));
-    let apart = (it.count == 1 || is_visited) && matches!(own, Some(Place::Floor | Place::Middle));
+    let apart = (it.count == 1 || is_visited(plan, &noun)) && matches!(own, Some(Place::Floor | Place::Middle));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
     // A car stands in line with the gate, and so does what lifts it.
@@ -172,6 +171,11 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// Whether visitors sit across from who works there.
+fn is_visited(plan: &Plan, noun: &str) -> bool {
+    groups::of(noun, plan.kind.dress).iter().any(|part| matches!(part.at, groups::Where::RowBehind(..)))
 }
 
 /// A desk at which visitors are received stands as in a reception, in rooms that usually have none.
@@ -239,6 +243,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     let yaws: &[f64] = match says(&format!("{}.rot.y = 90", it.name)) {
         true => &[90.0],
         false if it.category.ends_with("island") => &[180.0],
+        false if is_visited(plan, &noun) => &[0.0, 90.0, 180.0, 270.0],
         false => &[0.0],
     };
     let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));

@@ -120,6 +120,7 @@ const OTHER: &[&str] = &[
     "curved",
     "corner",
     "bistro",
+    "cream",
     "pedestal",
     "coat",
     "dumbbell",
