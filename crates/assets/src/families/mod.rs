@@ -76,6 +76,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("flower_bucket", shops::flower_bucket),
     ("ice_cream_counter", shops::ice_cream_counter),
     ("record_bin", shops::record_bin),
+    ("repair_stand", vehicles::repair_stand),
     ("produce_stand", shops::produce_stand),
     ("shopping_cart", shops::shopping_cart),
     ("theatre_seat", shops::theatre_seat),

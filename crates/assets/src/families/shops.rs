@@ -151,7 +151,7 @@ pub(super) fn produce_stand(a: &Ask) -> Model {
         let floor = a.h * (0.34 + 0.42 * (tiers - 1 - tier) as f64 / tiers as f64);
         m.board(depth.y(0.0..floor), &wood);
         m.solid(depth.y(floor..floor + 0.16 * a.h));
-        for place in depth.y(floor..floor + 0.16 * a.h).split(0, pieces(a.w, 0.36, 2, 5), 0.02) {
+        for place in depth.y(floor..floor + 0.16 * a.h).split(0, pieces(a.w, 0.36, 2, 4), 0.02) {
             let size = place.size();
             let crate_of = place.share(0.02..0.98, 0.0..0.5, 0.06..0.94);
             m.mesh.crisp(crate_of, &stuff::BIRCH.surface());

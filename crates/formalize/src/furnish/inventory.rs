@@ -165,6 +165,7 @@ pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
 fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
     const SHARE: f64 = 0.3;
     const LARGEST: f64 = 4.4;
+    const WATCHED: [f64; 2] = [0.6, 8.0];
     const BELOW: f64 = 1.6;
     const LARGEST_BOARD: f64 = 3.6;
     const STAGE: f64 = 0.66;
@@ -185,7 +186,10 @@ fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
     if line.noun != "projection screen" {
         return [w, h, d];
     }
-    let wide = (SHARE * width).min(LARGEST).min(1.7 * (height - BELOW)).max(w);
+    // Rows of seats look at nothing else.
+    let watched = |line: &Line| line.place == Place::Rows(true) && stand::group(line.noun) == Group::Seat;
+    let [share, largest] = if plan.kind.lines.iter().any(watched) { WATCHED } else { [SHARE, LARGEST] };
+    let wide = (share * width).min(largest).min(1.7 * (height - BELOW)).max(w);
     [wide, h.max(0.56 * wide), d]
 }
 

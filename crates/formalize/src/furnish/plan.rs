@@ -326,6 +326,12 @@ impl<'a> Plan<'a> {
             return;
         }
         let (mut own, at) = self.fitted(thing, part, of);
+        // A table with fewer seats than there are people wants a larger room.
+        let seats_them = seats_all(self.kind, &category.replace('_', " "));
+        let people = self.people.filter(|_| seats_them).map_or(0, |n| n.div_ceil(anchors));
+        if let (Where::Around(n, _) | Where::LongSides(n, _), Some(group)) = (&at, &mut self.building) {
+            group.is_crowded |= *n < people;
+        }
         let shelf = boards(&category, of[1], of[0]);
         if let (Where::Board(board, ..), [low, next, ..]) = (&at, &shelf[..])
             && board + 1 < shelf.len()
