@@ -393,7 +393,12 @@ impl<'a> Plan<'a> {
             // Cabinets end where the worktop below them does.
             (Where::Above(..), _) => own[0] = own[0].min(of[0]),
             (Where::Under(wider, deeper, _), _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
-            (Where::Around(n, _) | Where::LongSides(n, _), Some(each)) => *n = each.min(capacity(of, own, round)),
+            (Where::Around(n, _), Some(each)) => *n = each.min(capacity(of, own, round)),
+            // Nobody sits at the ends.
+            (Where::LongSides(n, _), Some(each)) => {
+                let sides = if round { of } else { [of[0].max(of[2]), of[1], 0.0] };
+                *n = each.min(capacity(sides, own, round));
+            }
             // At one side of it, unless as many stand there as there is room for.
             (Where::Row(n, _), Some(each)) if *n > 0 => *n = each.clamp(1, in_row(of[0], own[0])),
             _ => {}

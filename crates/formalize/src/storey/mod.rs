@@ -127,13 +127,11 @@ fn planned(draft: &mut Draft, brief: &Brief, names: &mut Names) -> bool {
     true
 }
 
+/// Where rooms are, and the doors that are added between two of them.
+type Plan = (Vec<Rect>, Vec<(usize, usize)>);
+
 /// Where the rooms are, and the doors that are added: those under the roof first, then balconies outside.
-fn plan(
-    draft: &Draft,
-    brief: &Brief,
-    hub: usize,
-    links: &[(usize, usize)],
-) -> Option<(Vec<Rect>, Vec<(usize, usize)>)> {
+fn plan(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> Option<Plan> {
     let outside = |room: usize| room != hub && is_outside(&brief.rooms[room].name);
     let inner: Vec<usize> = (0..draft.rooms.len()).filter(|room| !outside(*room)).collect();
     let at = |room: usize| inner.iter().position(|other| *other == room);
