@@ -201,8 +201,10 @@ pub(super) fn repair_stand(a: &Ask) -> Model {
     let b = a.whole();
     let (steel, clamp) = (a.main(stuff::BLACK_STEEL), stuff::RED.surface());
     m.board(b.share(0.0..1.0, 0.0..0.03, 0.42..0.58), &steel);
-    m.board(b.share(0.42..0.58, 0.03..0.06, 0.0..1.0), &steel);
-    m.board(b.share(0.46..0.54, 0.06..0.94, 0.46..0.54), &stuff::STEEL.surface());
+    for foot in [b.share(0.42..0.58, 0.0..0.03, 0.0..0.42), b.share(0.42..0.58, 0.0..0.03, 0.58..1.0)] {
+        m.board(foot, &steel);
+    }
+    m.board(b.share(0.46..0.54, 0.03..0.94, 0.46..0.54), &stuff::STEEL.surface());
     m.board(b.share(0.46..0.54, 0.88..0.94, 0.54..0.88), &steel);
     m.board(b.share(0.4..0.6, 0.84..1.0, 0.88..1.0), &clamp);
     m
