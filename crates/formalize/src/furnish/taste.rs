@@ -65,7 +65,7 @@ const WOODEN: [&str; 29] = [
 ];
 
 /// What is not made of wood though others of its kind are.
-const NOT_WOODEN: [&str; 24] = [
+const NOT_WOODEN: [&str; 25] = [
     "office chair",
     "desk chair",
     "lab bench",
@@ -82,6 +82,7 @@ const NOT_WOODEN: [&str; 24] = [
     "tool chest",
     "hospital bed",
     "music stand",
+    "repair stand",
     "server rack",
     "squat rack",
     "power rack",
