@@ -223,6 +223,12 @@ pub struct Trial<'a> {
     pub work: u64,
 }
 
+/// The height of the floors, if all rooms have the same.
+fn common_floor(rooms: &[Room]) -> Option<f64> {
+    let level = rooms.first().map_or(0.0, |room| room.floor);
+    rooms.iter().all(|room| room.floor == level).then_some(level)
+}
+
 impl<'a> Trial<'a> {
     /// For an instance in which every object has a pose, though it need not be its place. With `tips`, how things lean may
     /// change wherever the program speaks of it; else only where no upright thing fulfils what it says.
@@ -232,8 +238,7 @@ impl<'a> Trial<'a> {
         let leans = lean::leaning(frame, world, tips);
         let stands = |id: ObjectId| !leans[id.0 as usize];
         let rooms: Vec<Room> = world.prisms().filter_map(|(id, prism)| Room::new(id, prism)).collect();
-        let level = rooms.first().map_or(0.0, |room| room.floor);
-        let floor = rooms.iter().all(|room| room.floor == level).then_some(level);
+        let floor = common_floor(&rooms);
         let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
         let mut coder = Coder::new(frame.program, world, &still, &stands);
         let plans = floor.is_some() && !rooms.is_empty();
@@ -260,11 +265,10 @@ impl<'a> Trial<'a> {
         let pose = |id: ObjectId| world.object(id).map(Pose::of);
         let size: Vec<[f64; 3]> = frame.objects().filter_map(|id| Some(pose(id).ok()?.scale.into())).collect();
         let bodies = || frame.objects().filter_map(|id| Some(&world.object(id).ok()?.body));
-        let scope = frame.scope.as_ref();
         let bounded = |id: ObjectId| !rooms.is_empty() && setup::is_bounded(frame, id);
         let container = |id: ObjectId| if let Hold::Container(c) = frame.hold(id) { Some(c.0 as usize) } else { None };
-        let rests = |id: ObjectId| scope.is_some_and(|s| s.support(id) == rules::Support::Rests);
-        let mut trial = Self {
+        let rests = |id: ObjectId| frame.scope.as_ref().is_some_and(|s| s.support(id) == rules::Support::Rests);
+        let trial = Self {
             tolerances: world.options.tolerances,
             numbering,
             slots: coder.slots(),
@@ -326,19 +330,25 @@ impl<'a> Trial<'a> {
             judges,
             frame,
         };
-        trial.begin_to_lean(&leans, world);
+        trial.ready(&leans, world)
+    }
+
+    /// With all that follows from its terms and rules.
+    fn ready(mut self, leans: &[bool], world: &World<f64>) -> Self {
+        self.begin_to_lean(leans, world);
         // What the program fixes is so from here on.
-        for rule in 0..trial.rules.len() {
-            trial.obey(rule, 0);
+        for rule in 0..self.rules.len() {
+            self.obey(rule, 0);
         }
-        trial.moved.clear();
-        trial.leaned.clear();
-        trial.followers = frame.objects().map(|id| trial.followers_of(id)).collect();
-        trial.terms_of = (0..n).map(|i| trial.sorted_terms(i, true)).collect();
-        trial.preferences_of = (0..n).map(|i| trial.sorted_terms(i, false)).collect();
-        trial.know_variables();
-        trial.know_turns(world);
-        trial
+        self.moved.clear();
+        self.leaned.clear();
+        let n = self.size.len();
+        self.followers = self.frame.objects().map(|id| self.followers_of(id)).collect();
+        self.terms_of = (0..n).map(|i| self.sorted_terms(i, true)).collect();
+        self.preferences_of = (0..n).map(|i| self.sorted_terms(i, false)).collect();
+        self.know_variables();
+        self.know_turns(world);
+        self
     }
 
     /// The layout as changes of a candidate.

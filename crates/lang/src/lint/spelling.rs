@@ -67,16 +67,21 @@ fn colors(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
         }
         known.push(&text.text);
         let Some(near) = library::meant_color(&text.text) else { continue };
-        let mut d = Diagnostic::new(codes::W0206, place, format!("unknown color \"{}\"", text.text))
+        let d = Diagnostic::new(codes::W0206, place, format!("unknown color \"{}\"", text.text))
             .note("an unknown color has no effect; colors have names (`navy`, `light oak`) or are written `#336699`");
-        d = d.label(format!("did you mean \"{near}\"?"));
-        d.fixes.push(Fix {
-            title: format!("write \"{near}\""),
-            edits: vec![Edit { place, text: format!("\"{near}\"") }],
-            applicability: Applicability::Unsafe,
-        });
-        out.push(d);
+        out.push(meant(d, place, near));
     }
+}
+
+/// The same with a spelling that may be meant, and a fix that writes it.
+fn meant(d: Diagnostic, place: Span, near: &str) -> Diagnostic {
+    let mut d = d.label(format!("did you mean \"{near}\"?"));
+    d.fixes.push(Fix {
+        title: format!("write \"{near}\""),
+        edits: vec![Edit { place, text: format!("\"{near}\"") }],
+        applicability: Applicability::Unsafe,
+    });
+    d
 }
 
 /// A text as it is quoted in a message.
@@ -106,17 +111,13 @@ fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
         }
         known.push(&text.text);
         let message = format!("unknown category \"{}\"", shortened(&text.text));
-        let mut d = Diagnostic::new(codes::W0205, place, message)
+        let d = Diagnostic::new(codes::W0205, place, message)
             .note("an object of an unknown category has no usual size and looks like a box; `scenelang categories` lists the known ones");
-        if let Some(near) = library::nearest_category(&text.text) {
-            d = d.label(format!("did you mean \"{near}\"?"));
-            d.fixes.push(Fix {
-                title: format!("write \"{near}\""),
-                edits: vec![Edit { place, text: format!("\"{near}\"") }],
-                applicability: Applicability::Unsafe,
-            });
-        }
-        out.push(d);
+        let near = library::nearest_category(&text.text);
+        out.push(match near {
+            Some(near) => meant(d, place, &near),
+            None => d,
+        });
     }
 }
 

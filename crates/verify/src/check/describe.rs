@@ -182,33 +182,10 @@ fn write(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> 
     match formula.node(id) {
         Node::Number(n) => out.push_str(&rounded(*n)),
         Node::Object(property, id) => {
-            let property = match property {
-                ObjectProperty::Pos => "pos",
-                ObjectProperty::Rot => "rot",
-                ObjectProperty::Scale => "scale",
-                ObjectProperty::Center => "center",
-                ObjectProperty::Top => "top",
-                ObjectProperty::Bottom => "bottom",
-                ObjectProperty::Surface => "surface",
-                ObjectProperty::Front => "front",
-                ObjectProperty::Right => "right",
-                ObjectProperty::Up => "up",
-                ObjectProperty::Min => "min",
-                ObjectProperty::Max => "max",
-            };
-            out.push_str(&format!("{}.{property}", object(id)));
+            out.push_str(&format!("{}.{}", object(id), of_object(*property)));
         }
         Node::Region(property, id) => {
-            let property = match property {
-                RegionProperty::Pos => "pos",
-                RegionProperty::Rot => "rot",
-                RegionProperty::Scale => "scale",
-                RegionProperty::Floor => "floor",
-                RegionProperty::Ceiling => "ceiling",
-                RegionProperty::Area => "area",
-                RegionProperty::Center => "center",
-            };
-            out.push_str(&format!("{}.{property}", program.regions[id.0 as usize].name));
+            out.push_str(&format!("{}.{}", program.regions[id.0 as usize].name, of_region(*property)));
         }
         Node::Variable(id) => out.push_str(&program.variables[id.0 as usize].name),
         Node::Vector(parts) | Node::Rotation(parts) => {
@@ -240,20 +217,8 @@ fn write(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> 
             });
         }
         Node::Call(function, args) => {
-            out.push_str(match function {
-                Function::Abs => "abs(",
-                Function::Min => "min(",
-                Function::Max => "max(",
-                Function::Sqrt => "sqrt(",
-                Function::Sin => "sin(",
-                Function::Cos => "cos(",
-                Function::Length => "length(",
-                Function::Normalize => "normalize(",
-                Function::Cross => "cross(",
-                Function::Dot => "dot(",
-                Function::Angle => "angle(",
-                Function::Distance => "distance(",
-            });
+            out.push_str(called(*function));
+            out.push('(');
             list(args, out)?;
             out.push(')');
         }
@@ -274,6 +239,55 @@ fn write(program: &Program, formula: &Formula, id: NodeId, out: &mut String) -> 
         _ => return None,
     }
     (out.len() <= LONGEST).then_some(())
+}
+
+/// A property of an object as it is written.
+fn of_object(property: ObjectProperty) -> &'static str {
+    match property {
+        ObjectProperty::Pos => "pos",
+        ObjectProperty::Rot => "rot",
+        ObjectProperty::Scale => "scale",
+        ObjectProperty::Center => "center",
+        ObjectProperty::Top => "top",
+        ObjectProperty::Bottom => "bottom",
+        ObjectProperty::Surface => "surface",
+        ObjectProperty::Front => "front",
+        ObjectProperty::Right => "right",
+        ObjectProperty::Up => "up",
+        ObjectProperty::Min => "min",
+        ObjectProperty::Max => "max",
+    }
+}
+
+/// A property of a region as it is written.
+fn of_region(property: RegionProperty) -> &'static str {
+    match property {
+        RegionProperty::Pos => "pos",
+        RegionProperty::Rot => "rot",
+        RegionProperty::Scale => "scale",
+        RegionProperty::Floor => "floor",
+        RegionProperty::Ceiling => "ceiling",
+        RegionProperty::Area => "area",
+        RegionProperty::Center => "center",
+    }
+}
+
+/// A function as it is written.
+fn called(function: Function) -> &'static str {
+    match function {
+        Function::Abs => "abs",
+        Function::Min => "min",
+        Function::Max => "max",
+        Function::Sqrt => "sqrt",
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Length => "length",
+        Function::Normalize => "normalize",
+        Function::Cross => "cross",
+        Function::Dot => "dot",
+        Function::Angle => "angle",
+        Function::Distance => "distance",
+    }
 }
 
 /// A node as an operand: in brackets where it has operators of its own.
