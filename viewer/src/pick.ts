@@ -34,7 +34,7 @@ export class Picker {
       if (name !== null) events.doubled(name);
     });
     canvas.addEventListener("pointermove", (e) => this.move(e));
-    canvas.addEventListener("pointerleave", () => events.hovered(null, 0, 0));
+    canvas.addEventListener("pointerleave", () => this.leave());
   }
 
   setModel(model: Model): void {
@@ -72,10 +72,16 @@ export class Picker {
     this.events.clicked(hit?.name ?? null, hit?.part ?? null);
   }
 
+  /** Nothing is under the pointer, also not what a pick that still waits for its frame would find. */
+  private leave(): void {
+    cancelAnimationFrame(this.pending);
+    this.events.hovered(null, 0, 0);
+  }
+
   /** At most one pick a frame, and none while a button turns the view. */
   private move(e: PointerEvent): void {
     if (e.buttons !== 0) {
-      this.events.hovered(null, 0, 0);
+      this.leave();
       return;
     }
     if (e.pointerType === "touch") return;
