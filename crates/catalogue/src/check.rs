@@ -90,7 +90,7 @@ fn size(model: &Model, usual: Option<Vec3>) -> Option<Diagnostic> {
         Some(usual) if largest / usual > UNIT || usual / largest > UNIT => {
             let category = &model.card.category;
             let say =
-                format!("it is {} m large; the usual size of \"{category}\" is {} m", shown(largest), shown(usual));
+                format!("its longest side is {} m; the usual size of \"{category}\" is {} m", shown(largest), shown(usual));
             Some(with_unit(found(say), largest / usual))
         }
         None if !(SMALLEST..=LARGEST).contains(&largest) => {
@@ -148,9 +148,9 @@ fn mass(model: &Model) -> Option<Diagnostic> {
     let mass = model.card.mass?;
     let density = mass / model.size.product();
     let why = match () {
-        () if mass <= 0.0 => "which nothing is".to_owned(),
+        () if mass <= 0.0 => "which is not possible".to_owned(),
         () if density < LIGHTEST => format!("lighter than the air in its box, {:.2} kg/m³", density),
-        () if density > HEAVIEST => format!("heavier than its box of steel, {density:.0} kg/m³"),
+        () if density > HEAVIEST => format!("{density:.0} kg/m³: more than a block of steel of its size"),
         () => return None,
     };
     let say = format!("its mass is {} kg, {why}", shown(mass));

@@ -112,7 +112,7 @@ fn block(object: &Object, judged: bool) -> String {
     let at = &object.declared;
     out += &format!("\n  declared at {}:{}:{}: {}\n", at.span.file, at.span.start[0], at.span.start[1], at.text);
     for requirement in &object.requirements {
-        out += &format!("  asked for by \"{requirement}\"\n");
+        out += &format!("  required by \"{requirement}\"\n");
     }
     if let Some(Pose { pos, rot, size }) = &object.pose {
         out += &format!(

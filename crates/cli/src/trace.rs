@@ -141,7 +141,7 @@ fn by_object(trace: &Trace) -> String {
         out.push_str(&format!("{} {}{verdict}\n", thing.kind, thing.name));
         for number in &thing.requirements {
             let requirement = &trace.requirements[*number];
-            let reason = if requirement.inferred { "inferred" } else { "asked for by" };
+            let reason = if requirement.inferred { "inferred" } else { "required by" };
             out.push_str(&format!("  {reason} \"{}\"\n", requirement.text));
         }
         let mut own: Vec<&str> = thing.statements.iter().map(String::as_str).collect();

@@ -56,16 +56,16 @@ impl fmt::Display for Lost {
                 let named: Vec<String> = pairs.iter().take(NAMED).map(|[a, b]| format!("{a} and {b}")).collect();
                 let more = pairs.len().saturating_sub(NAMED);
                 let more = if more == 0 { String::new() } else { format!(", and {more} more pairs") };
-                write!(f, "the permission to share space is lost: {}{more} may be pushed apart", named.join(", "))
+                write!(f, "permissions to overlap are lost: {}{more} may be pushed apart", named.join(", "))
             }
-            Self::Physics => f.write_str("masses are lost, and what stands still and what is loose"),
+            Self::Physics => f.write_str("masses are lost, and which objects are fixed and which are loose"),
             Self::Lights(1) => f.write_str("the light is lost"),
             Self::Lights(n) => write!(f, "the {n} lights are lost"),
-            Self::Meshes => f.write_str("things are shown as their solids, without rounded edges and small details"),
+            Self::Meshes => f.write_str("objects are shown as their solids, without rounded edges and small details"),
             Self::Textures => f.write_str("textures are lost: wood, fabric and the like have plain colours"),
-            Self::Others => f.write_str("one object is in the file, and nothing of the room around it"),
+            Self::Others => f.write_str("the file contains one object and nothing of the room around it"),
             Self::Program => {
-                f.write_str("program, layout and report are not in the files, so `check` cannot judge them")
+                f.write_str("program, layout and report are not embedded in the files, so `check` cannot judge them")
             }
         }
     }

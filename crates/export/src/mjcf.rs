@@ -61,7 +61,7 @@ const HIDDEN: &str = "4";
 fn document(scene: &Scene, physics: &Physics<'_>) -> Vec<u8> {
     let mut xml = Xml::new();
     xml.begin("mujoco", &[("model", &scene.name)]);
-    xml.comment("Metres, kilograms, seconds; z up. Written by scenelang; NAME.mjcf.json says what each body is.");
+    xml.comment("Metres, kilograms, seconds; z up. Written by scenelang; NAME.mjcf.json describes each body.");
     xml.empty("compiler", &[("angle", "radian"), ("autolimits", "true"), ("balanceinertia", "true")]);
     xml.empty(
         "option",

@@ -162,7 +162,7 @@ impl Narrowed {
         let (least, useful) = (amount(self.least), amount(self.useful));
         let found = match (self.least > 0.0, self.turns) {
             (true, true) => format!("`{object}` opens {least} of {useful}"),
-            (true, false) => format!("the drawers of `{object}` open {least} of {useful}"),
+            (true, false) => format!("the drawers of `{object}` open {least} of the useful {useful}"),
             (false, true) => format!("`{object}` does not open"),
             (false, false) => format!("the drawers of `{object}` do not open"),
         };
@@ -175,7 +175,7 @@ impl Narrowed {
         let room = draft.things.iter().find(|thing| thing.name == name).and_then(|thing| thing.room);
         match room.and_then(|at| draft.rooms.get(at)) {
             Some(Room { size: [w, _, d], .. }) => format!("the room is {} × {} m", number(*w), number(*d)),
-            None => "there is no more room before it".to_owned(),
+            None => "there is no more space in front of it".to_owned(),
         }
     }
 }

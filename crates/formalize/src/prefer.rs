@@ -81,7 +81,7 @@ impl Draft {
         self.statements.push(Statement {
             demand: Demand::Prefer,
             text: format!("clear({name}, front, {depth}) and clear({name}, behind, {depth})"),
-            source: Source::Inferred("a door opens freely, where there is room for it".to_owned()),
+            source: Source::Inferred("a door opens freely where there is space for it".to_owned()),
             relaxed: false,
         });
         true
@@ -100,7 +100,7 @@ impl Draft {
         };
         let source = thing.source.clone();
         thing.room = None;
-        self.note(&source, "no layout was found in which it is in its room, so that is a preference");
+        self.note(&source, "no layout was found with it inside its room, so this is a preference");
         self.statements.push(Statement { demand: Demand::Prefer, text, source, relaxed: true });
         true
     }

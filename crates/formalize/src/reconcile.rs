@@ -89,7 +89,7 @@ fn leave_out(draft: &mut Draft, text: &str, places: impl Iterator<Item = usize>)
     draft.statements = good;
     let bad: Vec<Statement> = bad;
     for statement in &bad {
-        draft.note(&statement.source, "what this would be is no statement of the language");
+        draft.note(&statement.source, "the language has no statement for this");
     }
     !bad.is_empty()
 }
@@ -102,5 +102,5 @@ fn relax(draft: &mut Draft, program: &Program, find: Find<'_>) -> bool {
     let stated = Stated::new(draft, program);
     let given_up = find(&|constraint| stated.rank(draft, constraint));
     let preferences = given_up.into_iter().filter_map(|c| stated.of(c)).collect();
-    draft.prefer(preferences, "cannot hold together with the rest, so it is only a preference")
+    draft.prefer(preferences, "contradicts the rest, so it is kept as a preference")
 }

@@ -305,7 +305,7 @@ impl Writer<'_> {
         }
         let own = |n: &&Narrowed| Some(n.object.split('[').next().unwrap_or_default()) == name;
         for narrowed in self.draft.narrowed.iter().filter(own) {
-            let reason = format!("it opens less far than is useful: {}", narrowed.why(self.draft));
+            let reason = format!("it opens less than is useful: {}", narrowed.why(self.draft));
             self.statement(&Source::Inferred(reason), narrowed.line());
         }
     }
@@ -319,7 +319,7 @@ impl Writer<'_> {
         if self.draft.notes.is_empty() {
             return;
         }
-        self.heading("Without a statement: these words of the request ask for nothing yet");
+        self.heading("These words of the request became no statement");
         for (at, note) in self.draft.notes.iter().enumerate() {
             let name = self.free_name(&[&format!("{UNMET}{}", at + 1), &format!("{UNMET}_{}", at + 1)]);
             let words = self.draft.request.get(note.at.clone()).unwrap_or("");

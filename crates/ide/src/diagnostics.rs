@@ -60,7 +60,7 @@ fn violation(row: &Row, index: usize, out: &mut Vec<Finding>) {
             d.severity = Severity::Warning;
         }
         d.related = related;
-        d.notes.extend(row.requirements.iter().map(|r| format!("asked for by \"{r}\"")));
+        d.notes.extend(row.requirements.iter().map(|r| format!("required by \"{r}\"")));
         Finding { diagnostic: d, row: Some(index) }
     };
     if row.kind.rule().is_none() {

@@ -90,9 +90,9 @@ fn of_name(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<String>, Can
             format!("{}\n\n{}{value}", code(&format!("{owner}.{} : {}", p.name, p.ty.name())), p.doc)
         }),
         Symbol::AllRooms => {
-            Some(format!("{}\n\nall regions that are rooms: not those outdoors", code("Regions rooms")))
+            Some(format!("{}\n\nall regions that are rooms, without those outdoors", code("Regions rooms")))
         }
-        Symbol::AllObjects => Some(format!("{}\n\nall objects, elements of arrays included", code("Objects objects"))),
+        Symbol::AllObjects => Some(format!("{}\n\nall objects, including elements of arrays", code("Objects objects"))),
         Symbol::Component | Symbol::Side => None,
     })
 }
@@ -376,7 +376,7 @@ fn verdict_in_words(program: &Program, row: &Row) -> String {
             let _ = write!(out, "{lead}{}", move_in_words(program, choice));
         }
         if !explanation.pinned.is_empty() {
-            out.push_str("\n\nits objects are pinned by assignments");
+            out.push_str("\n\nassignments fix its objects");
         }
     }
     out

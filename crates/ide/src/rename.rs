@@ -55,14 +55,14 @@ pub(crate) fn edits(
 fn refusal(snapshot: &Snapshot, symbol: &Symbol, old: &str, new: &str) -> Result<Option<String>, Cancelled> {
     if !matches!(lex(new).as_slice(), [token] if token.kind == Kind::Ident) {
         return Ok(Some(format!(
-            "`{new}` is no name: it begins with a letter, goes on with letters and digits, and is no word of the language"
+            "`{new}` is not a name: a name starts with a letter, continues with letters and digits, and is not a keyword"
         )));
     }
     if new == old {
         return Ok(None);
     }
     let meanings = snapshot.meanings()?;
-    let taken = |what: &str| Some(format!("there is {what} `{new}` already"));
+    let taken = |what: &str| Some(format!("there is already {what} `{new}`"));
     Ok(match symbol {
         Symbol::Predicate(_) if natives::is_built_in(new) => taken("a built-in"),
         Symbol::Predicate(_) if meanings.defined.contains_key(new) => taken("a predicate"),

@@ -63,7 +63,7 @@ fn signatures(snapshot: &Snapshot, callee: &str) -> Result<Vec<Signature>, Cance
             allowance("allowCollide(a, b)", &["a", "b"], "These objects, or arrays, may overlap each other.")
         }
         "allowOutside" => allowance("allowOutside(a)", &["a"], "This object may be outside every region."),
-        "allowFloat" => allowance("allowFloat(a)", &["a"], "This object needs nothing that carries it."),
+        "allowFloat" => allowance("allowFloat(a)", &["a"], "This object needs no support."),
         _ if natives::is_built_in(callee) => natives::overloads(callee)
             .map(|s| {
                 let label = head_of(s);

@@ -87,19 +87,21 @@ impl fmt::Display for Error {
             Self::Setup(why) | Self::OffScript(why) | Self::File(why) => f.write_str(why),
             Self::Unreachable(why) => write!(f, "the model cannot be reached: {why}"),
             Self::TimedOut(after) => write!(f, "the model gave no complete answer within {} s", after.as_secs_f64()),
-            Self::Limited { said, .. } => write!(f, "the provider has had too many requests (429){}", Said(said)),
-            Self::Failed { status, said, .. } => write!(f, "the provider has a problem ({status}){}", Said(said)),
+            Self::Limited { said, .. } => write!(f, "the provider has received too many requests (429){}", Said(said)),
+            Self::Failed { status, said, .. } => {
+                write!(f, "the provider reports an internal error ({status}){}", Said(said))
+            }
             Self::Refused { status: 401 | 403, said } => {
                 write!(f, "the provider does not accept the key{}", Said(said))
             }
             Self::Refused { status, said } => write!(f, "the provider refuses the request ({status}){}", Said(said)),
-            Self::Unsupported(part) => write!(f, "the model does not know `{part}`"),
+            Self::Unsupported(part) => write!(f, "the model does not support `{part}`"),
             Self::TooLarge(limit) => write!(f, "the answer is larger than {limit} bytes"),
-            Self::Malformed(why) => write!(f, "the answer is not what was asked for: {why}"),
-            Self::CutShort => write!(f, "the answer ends in the middle, at the limit of tokens"),
-            Self::Declined(why) => write!(f, "the model does not want to answer{}", Said(why)),
-            Self::Spent(budget) => write!(f, "the budget is spent: {budget}"),
-            Self::Offline => write!(f, "no network is to be used, and the answer is not in the cache"),
+            Self::Malformed(why) => write!(f, "the answer does not have the expected form: {why}"),
+            Self::CutShort => write!(f, "the answer was cut off at the token limit"),
+            Self::Declined(why) => write!(f, "the model refused to answer{}", Said(why)),
+            Self::Spent(budget) => write!(f, "the budget is used up: {budget}"),
+            Self::Offline => write!(f, "the network is switched off and the answer is not in the cache"),
             Self::Interrupted => write!(f, "interrupted"),
             Self::GaveUp(tries, last) => write!(f, "{last}; tried {tries} times"),
         }

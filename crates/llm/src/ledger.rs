@@ -144,7 +144,10 @@ impl Spent {
         if let Some(most) = budget.tokens {
             room = room.min(most.saturating_sub(self.usage.total()).saturating_sub(question.input));
             if room == 0 {
-                return spent(format!("{} of {most} tokens, and the next question needs more", self.usage.total()));
+                return spent(format!(
+                    "{} of {most} tokens are used, and the next question needs more",
+                    self.usage.total()
+                ));
             }
         }
         if let (Some(most), Some(price)) = (budget.money, self.price) {
@@ -170,7 +173,7 @@ impl fmt::Display for Spent {
         let calls = if self.calls == 1 { "call" } else { "calls" };
         write!(f, "{}: {} {calls}", self.model, self.calls)?;
         if self.again > 0 {
-            write!(f, " ({} of them tried again)", self.again)?;
+            write!(f, " ({} of them retried)", self.again)?;
         }
         if self.cached > 0 {
             write!(f, ", {} from the cache", self.cached)?;
@@ -181,10 +184,10 @@ impl fmt::Display for Spent {
         }
         match self.money() {
             Some(money) => write!(f, ", cost {money:.4}")?,
-            None => write!(f, ", cost unknown: no price is set for this model")?,
+            None => write!(f, ", cost unknown, because no price is set for this model")?,
         }
         match &self.unkept {
-            Some(error) => write!(f, "; answers are not kept: {error}"),
+            Some(error) => write!(f, "; answers are not cached: {error}"),
             None => Ok(()),
         }
     }
@@ -239,8 +242,7 @@ mod tests {
         spent.cached = 2;
         spent.calls = 1;
         spent.add(Usage { input: 1200, output: 34, estimated: false });
-        let unknown =
-            "openai:m: 1 call, 2 from the cache, 1200 tokens in, 34 out, cost unknown: no price is set for this model";
+        let unknown = "openai:m: 1 call, 2 from the cache, 1200 tokens in, 34 out, cost unknown, because no price is set for this model";
         assert_eq!(spent.to_string(), unknown);
         spent.price = Some(Price { input: 2.5, output: 10.0 });
         spent.calls = 3;

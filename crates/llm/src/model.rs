@@ -48,7 +48,7 @@ pub fn typed<T: DeserializeOwned>(model: &mut dyn Model, request: &Request) -> R
         repairs += 1;
         request.messages.push(Message::new(Role::Assistant, beginning(&reply.text, SHOWN)));
         let say = format!(
-            "This answer cannot be used: {why}. Answer again, with one JSON object of the schema asked for and nothing else."
+            "This answer cannot be used: {why}. Answer again with one JSON object that follows the schema, and nothing else."
         );
         request.messages.push(Message::new(Role::User, say));
     }
@@ -63,8 +63,8 @@ pub fn json_of(text: &str) -> Result<&str, String> {
     let text = text.rsplit_once("</think>").map_or(text, |(_, after)| after);
     match (text.find('{'), text.rfind('}')) {
         (Some(start), Some(end)) if start < end => Ok(&text[start..=end]),
-        (Some(_), _) => Err("its JSON object does not end".to_owned()),
-        _ => Err("it has no JSON object".to_owned()),
+        (Some(_), _) => Err("its JSON object is not closed".to_owned()),
+        _ => Err("it contains no JSON object".to_owned()),
     }
 }
 

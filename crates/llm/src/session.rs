@@ -56,7 +56,7 @@ impl Session {
     pub fn new(model: Box<dyn Model>, limits: Limits, clock: Box<dyn Clock>) -> Result<Self, Error> {
         let name = model.name().to_owned();
         if limits.budget.money.is_some() && limits.price.is_none() {
-            return Err(Error::Setup(format!("a budget of money needs a price, and none is set for {name}")));
+            return Err(Error::Setup(format!("a money budget needs a price, and none is set for {name}")));
         }
         let cache = limits.cache.as_deref().map(Cache::new);
         let recorder = limits.record.as_deref().map(|path| Recorder::new(path, &name)).transpose()?;

@@ -79,7 +79,8 @@ impl Replay {
     pub fn open(path: &Path) -> Result<Self, Error> {
         let text =
             std::fs::read_to_string(path).map_err(|e| Error::File(format!("cannot read {}: {e}", path.display())))?;
-        Self::read(&text).map_err(|why| Error::File(format!("{} is no recorded conversation: {why}", path.display())))
+        Self::read(&text)
+            .map_err(|why| Error::File(format!("{} is not a recorded conversation: {why}", path.display())))
     }
 
     /// Reads the text of a recording.
@@ -115,7 +116,7 @@ impl Model for Replay {
             return Err(Error::OffScript(format!("the recorded conversation ends before question {n}")));
         };
         if turn.request != *request {
-            let say = format!("question {n} is not the recorded one; the conversation must be recorded anew");
+            let say = format!("question {n} differs from the recording; record the conversation again");
             return Err(Error::OffScript(say));
         }
         self.next = n;

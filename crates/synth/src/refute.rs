@@ -12,7 +12,7 @@ use scenelang_solve::Stop;
 use scenelang_verify::prove::{Contradiction, ProveOptions, prove};
 
 /// Why a statement became a preference.
-const REASON: &str = "it cannot hold together with the rest, so it is only a preference";
+const REASON: &str = "it contradicts the rest, so it is kept as a preference";
 
 /// Gives up part of each set of statements that is proved contradictory: what was added to the request first, then the
 /// size of a room that nobody gave, then the statement that is given up most willingly. Whether anything was given up.

@@ -174,7 +174,7 @@ fn each_way_in_which_a_service_fails_is_told() {
 fn a_key_is_needed_and_stays_private() {
     let at = |url: &str| Service::on(Kind::Meshy, url, "k", Duration::from_secs(1), || false).map(drop);
     assert!(at("http://a.example").unwrap_err().contains("must begin with https"));
-    assert!(at("ftp://a.example").unwrap_err().contains("must begin with https:// or http://"));
+    assert!(at("ftp://a.example").unwrap_err().contains("must start with https:// or http://"));
     let none = Service::on(Kind::Meshy, "https://a.example", "", Duration::from_secs(1), || false);
     assert_eq!(none.map(drop), Err("meshy needs a key: set MESHY_API_KEY".to_owned()));
 }

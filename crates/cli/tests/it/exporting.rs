@@ -70,7 +70,7 @@ fn a_unity_project_is_for_the_version_that_is_asked_for() {
 fn what_a_format_cannot_hold_is_said() {
     let folder = solved();
     let ended = export(folder.path(), &["--only", "usd,sdf"]);
-    let pair = "note: sdf: the permission to share space is lost: bed and rug may be pushed apart";
+    let pair = "note: sdf: permissions to overlap are lost: bed and rug may be pushed apart";
     assert!(ended.stderr.contains(pair), "{}", ended.stderr);
     assert!(!ended.stderr.contains("usd:"), "{}", ended.stderr);
     let ended = export(folder.path(), &["--only", "usd,sdf", "--format", "json"]);

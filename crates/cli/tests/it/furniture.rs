@@ -104,7 +104,7 @@ fn a_workspace_has_nothing_run() {
         ("sofa", "there is no generator `sofa`"),
         ("command", "`--generator command` needs a program"),
         ("meshy", "meshy needs a key: set MESHY_API_KEY"),
-        ("hunyuan:ftp://a.example", "must begin with https:// or http://"),
+        ("hunyuan:ftp://a.example", "must start with https:// or http://"),
     ] {
         let ended = synth(folder.path(), &["-o", "out", "--generator", generator]);
         assert!(ended.code == 2 && ended.stderr.contains(said), "{generator}: {ended:?}");

@@ -172,7 +172,7 @@ fn addresses_and_keys() -> Vec<Case> {
             args: ON,
             act: Some(|| Act::fails(302, "").with("location", "{elsewhere}/steal")),
             asked: UpTo(1),
-            said: "it sends us elsewhere, where the key shall not go",
+            said: "it redirects to another host, which must not receive the key",
             ..CASE
         },
         Case {
@@ -180,7 +180,7 @@ fn addresses_and_keys() -> Vec<Case> {
             args: ON,
             act: Some(|| Act::fails(307, "").with("location", "{elsewhere}/steal")),
             asked: UpTo(1),
-            said: "it sends us elsewhere, where the key shall not go",
+            said: "it redirects to another host, which must not receive the key",
             ..CASE
         },
         Case {
@@ -303,27 +303,27 @@ fn budgets() -> Vec<Case> {
             name: "a budget of none",
             own: "[llm]\nmax_calls = 0\n",
             workspace: "[llm]\nmax_calls = 50\n",
-            said: "the budget is spent: 0 of 0 calls",
+            said: "the budget is used up: 0 of 0 calls",
             ..on
         },
         Case {
             name: "a budget on the command line",
             args: &["--model", "compatible:m", "--base-url", "{url}", "--max-calls", "2"],
             asked: UpTo(2),
-            said: "the budget is spent: 2 of 2 calls",
+            said: "the budget is used up: 2 of 2 calls",
             ..CASE
         },
         Case {
             name: "a budget of tokens",
             args: &["--model", "compatible:m", "--base-url", "{url}", "--max-tokens", "1"],
-            said: "the budget is spent: 0 of 1 tokens",
+            said: "the budget is used up: 0 of 1 tokens",
             ..CASE
         },
         Case {
             name: "a server that boasts of its work",
             act: Some(|| says(&json!({ "prompt_tokens": u64::MAX, "completion_tokens": u64::MAX }))),
             asked: UpTo(1),
-            said: "the budget is spent: 18446744073709551615 of 500000 tokens",
+            said: "the budget is used up: 18446744073709551615 of 500000 tokens",
             ..on
         },
         Case {
@@ -346,7 +346,7 @@ fn budgets() -> Vec<Case> {
             act: Some(|| Act::fails(503, "later").with("retry-after", "0")),
             args: &["--model", "compatible:m", "--base-url", "{url}", "--max-calls", "3"],
             asked: UpTo(3),
-            said: "the budget is spent: 3 of 3 calls",
+            said: "the budget is used up: 3 of 3 calls",
             ..CASE
         },
     ]
@@ -647,7 +647,7 @@ fn an_editor_whose_user_said_so_keeps_to_one_budget() {
     let said =
         format!("asking the language model compatible:m at {}: at most 12 calls and 500000 tokens\n", server.url);
     assert!(editor.log().contains(&said), "{}", editor.log());
-    assert!(editor.log().contains("the budget is spent: 12 of 12 calls"), "{}", editor.log());
+    assert!(editor.log().contains("the budget is used up: 12 of 12 calls"), "{}", editor.log());
 }
 
 #[test]

@@ -88,7 +88,7 @@ fn a_model_proposes_and_its_answers_are_kept() {
     assert_eq!(lamp(folder.path()), json!([2, 0, 1.5]));
     let name = format!("compatible:m at {}", server.url);
     let wanted = format!(
-        "model {name}: 1 call, 100 tokens in, 20 out, cost unknown: no price is set for this model\n  1 of its 1 moves were made, in 1 round\n"
+        "model {name}: 1 call, 100 tokens in, 20 out, cost unknown, because no price is set for this model\n  1 of its 1 moves were made, in 1 round\n"
     );
     assert!(ended.stdout.ends_with(&wanted), "{}", ended.stdout);
     let asked = server.asked().remove(0);
@@ -119,17 +119,20 @@ fn whatever_a_model_does_the_scene_is_solved() {
     for (act, said) in [
         (lamp_to(2.0, 2.2), "0 of its 5 moves were made, in 5 rounds"), // it breaks `lamp.pos.z <= 2`
         (lamp_to(1e300, 0.0), "0 of its 5 moves were made, in 5 rounds"),
-        (Act::says(injected), "the answer is not what was asked for: it has no JSON object"),
-        (Act::says(&deep), "the answer is not what was asked for: "),
+        (Act::says(injected), "the answer does not have the expected form: it contains no JSON object"),
+        (Act::says(&deep), "the answer does not have the expected form: "),
         (
             Act::says("{\"moves\": [{\"object\": \"lamp\", \"pos\": \"left\"}]}"),
-            "the answer is not what was asked for: invalid type",
+            "the answer does not have the expected form: invalid type",
         ),
-        (Act::says("{\"moves\": [], \"run\": \"rm\"}"), "the answer is not what was asked for: unknown field `run`"),
-        (Act::Answer(200, vec![], b"\xff\xfe NaN".to_vec()), "the answer is not what was asked for: "),
+        (
+            Act::says("{\"moves\": [], \"run\": \"rm\"}"),
+            "the answer does not have the expected form: unknown field `run`",
+        ),
+        (Act::Answer(200, vec![], b"\xff\xfe NaN".to_vec()), "the answer does not have the expected form: "),
         (Act::fails(401, &format!("wrong key {KEY}")), "the provider does not accept the key: wrong key [key]"),
-        (Act::fails(500, "\u{1b}[31moops"), "the provider has a problem (500): [31moops"),
-        (Act::fails(429, "").with("retry-after", "3600"), "the provider has had too many requests (429)"),
+        (Act::fails(500, "\u{1b}[31moops"), "the provider reports an internal error (500): [31moops"),
+        (Act::fails(429, "").with("retry-after", "3600"), "the provider has received too many requests (429)"),
         (Act::Endless, "the answer is larger than 4194304 bytes"),
         (Act::HangUp, "the model cannot be reached: "),
         (Act::Broken(b"{".to_vec()), "the model cannot be reached: "),
@@ -165,7 +168,7 @@ fn what_cannot_be_tried_is_said_before_anything_is_done() {
         (
             vec!["--model", "ollama:m"],
             "[llm]\nmax_money = 1",
-            "error: a budget of money needs a price, and none is set for ollama:m\n",
+            "error: a money budget needs a price, and none is set for ollama:m\n",
         ),
         (
             vec!["--model", "configured"],
@@ -190,7 +193,7 @@ fn a_model_of_the_settings_keeps_to_its_budget() {
     let ended = solve(folder.path(), &["--model", "configured", "--base-url", &server.url]);
     assert_eq!(ended.code, 0, "{ended:?}");
     assert!(ended.stdout.contains(": 2 calls, 200 tokens in, 40 out, cost 0.4000\n"), "{}", ended.stdout);
-    assert!(ended.stdout.contains("it stopped early: the budget is spent: 2 of 2 calls"), "{}", ended.stdout);
+    assert!(ended.stdout.contains("it stopped early: the budget is used up: 2 of 2 calls"), "{}", ended.stdout);
     assert_eq!(server.asked().len(), 2);
     // `none` on the command line: nobody is asked, nothing is said.
     let ended = solve(folder.path(), &["--model", "none"]);
@@ -202,7 +205,7 @@ fn a_model_of_the_settings_keeps_to_its_budget() {
 fn offline_without_answers_is_the_numeric_search() {
     let folder = folder("");
     let with = solve(folder.path(), &["--model", "openai:m", "--offline"]);
-    assert!(with.stdout.contains("no network is to be used, and the answer is not in the cache"), "{}", with.stdout);
+    assert!(with.stdout.contains("the network is switched off and the answer is not in the cache"), "{}", with.stdout);
     assert!(with.stdout.contains("model openai:m: 0 calls, cost 0.0000"), "{}", with.stdout);
     assert_eq!(with.code, 0);
 }

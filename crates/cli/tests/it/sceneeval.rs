@@ -82,8 +82,8 @@ fn layouts_of_others_are_scored_by_their_names() {
 #[test]
 fn broken_files_have_one_message() {
     let cases = [
-        ("0,x,,,,,easy\n", "a.csv: line 2: the row has 7 fields, and the head has 8"),
-        ("0,\"x,,,,,,easy\n", "a.csv: line 2: a quotation mark is opened and never closed"),
+        ("0,x,,,,,easy\n", "a.csv: line 2: the row has 7 fields, but the header has 8"),
+        ("0,\"x,,,,,,easy\n", "a.csv: line 2: a quotation mark is never closed"),
         ("../0,x,,,,,easy,\n", "a.csv: line 2, column ID: \"../0\" is no ID"),
         ("", "a.csv has no such request"),
     ];

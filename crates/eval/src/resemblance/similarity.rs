@@ -67,14 +67,14 @@ impl Embedded {
             let line: Line = serde_json::from_str(line).map_err(|e| bad(e.to_string()))?;
             let length = line.vector.iter().map(|x| x * x).sum::<f64>().sqrt();
             if !length.is_normal() || !length.is_finite() {
-                return Err(bad("a vector needs a length greater than 0".to_owned()));
+                return Err(bad("a vector must be longer than 0".to_owned()));
             }
             if *long.get_or_insert(line.vector.len()) != line.vector.len() {
                 return Err(bad("all vectors need the same number of entries".to_owned()));
             }
             out.vectors.insert(line.text, line.vector.iter().map(|x| x / length).collect());
         }
-        if out.vectors.is_empty() { Err("there is no vector in it".to_owned()) } else { Ok(out) }
+        if out.vectors.is_empty() { Err("it contains no vector".to_owned()) } else { Ok(out) }
     }
 
     /// The first of the texts that there is no vector for.

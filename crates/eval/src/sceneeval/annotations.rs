@@ -181,10 +181,10 @@ impl Annotation {
             Measure::Places => "quantifier,number,relation,name,element",
         };
         let [quantifier, number, rest @ ..] = parts.as_slice() else { return Err(format!("it is not {shape}")) };
-        let how = How::of(quantifier).ok_or_else(|| format!("{quantifier:?} is none of eq, ge, gt, le and lt"))?;
+        let how = How::of(quantifier).ok_or_else(|| format!("{quantifier:?} is not one of eq, ge, gt, le and lt"))?;
         let number = count(number)?;
         if rest.iter().any(|part| part.is_empty()) {
-            return Err(format!("a part of it is empty; it is {shape}"));
+            return Err(format!("part of it is empty; the expected form is {shape}"));
         }
         let own = |text: &&str| (*text).to_owned();
         let says = match (measure, rest) {
@@ -193,7 +193,7 @@ impl Annotation {
             (Measure::Between, [relation, index, names @ ..]) if names.len() > 1 => {
                 let index = count(index)?;
                 let reference = names.get(index).ok_or_else(|| {
-                    format!("the reference is name {index}, counted from 0, and there are {} names", names.len())
+                    format!("the reference is name {index} (counted from 0), but there are only {} names", names.len())
                 })?;
                 let targets = names.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, name)| own(name));
                 Says::Between { relation: own(relation), reference: own(reference), targets: targets.collect() }
@@ -215,7 +215,7 @@ fn count(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(number) if digits && number <= MOST => Ok(number),
         _ if digits => Err(format!("{} is more than {MOST}", shortened(text))),
-        _ => Err(format!("{:?} is no whole number", shortened(text))),
+        _ => Err(format!("{:?} is not a whole number", shortened(text))),
     }
 }
 
@@ -248,7 +248,7 @@ pub fn read(text: &str) -> Result<Benchmark, String> {
     for row in rows {
         if row.fields.len() != head.fields.len() {
             let (found, wanted) = (row.fields.len(), head.fields.len());
-            return Err(format!("line {}: the row has {found} fields, and the head has {wanted}", row.line));
+            return Err(format!("line {}: the row has {found} fields, but the header has {wanted}", row.line));
         }
         let field = |column: usize| row.fields[places[column]].trim();
         let id = field(0);
@@ -258,7 +258,7 @@ pub fn read(text: &str) -> Result<Benchmark, String> {
             return Err(format!("line {}, column ID: {:?} {say}", row.line, shortened(id)));
         }
         if !known.insert(id.to_ascii_lowercase()) {
-            return Err(format!("line {}, column ID: {id} is there twice", row.line));
+            return Err(format!("line {}, column ID: {id} occurs twice", row.line));
         }
         let mut annotations = Vec::new();
         for measure in Measure::ALL {
@@ -331,7 +331,7 @@ mod tests {
             ("1,x,,,,\n", "line 2: the row has 6 fields, and the head has 7"),
             ("1,x,,,,,easy\n1,y,,,,,easy\n", "line 3, column ID: 1 is there twice"),
             ("../a,x,,,,,easy\n", "line 2, column ID: \"../a\" is no ID: at most 64 letters, digits, - and _"),
-            ("1,\"x,,,,,easy\n", "line 2: a quotation mark is opened and never closed"),
+            ("1,\"x,,,,,easy\n", "line 2: a quotation mark is never closed"),
         ];
         for (rows, message) in cases {
             assert_eq!(file(rows), Err(message.to_owned()));

@@ -42,7 +42,7 @@ fn field(chars: &mut std::iter::Peekable<std::str::Chars<'_>>, line: &mut usize)
         let opened = *line;
         loop {
             match chars.next() {
-                None => return Err(format!("line {opened}: a quotation mark is opened and never closed")),
+                None => return Err(format!("line {opened}: a quotation mark is never closed")),
                 Some('"') if chars.next_if_eq(&'"').is_some() => out.push('"'),
                 Some('"') => break,
                 Some(c) => {
@@ -62,7 +62,7 @@ fn field(chars: &mut std::iter::Peekable<std::str::Chars<'_>>, line: &mut usize)
                 return Ok((out, true));
             }
             Some(c) if quoted => {
-                return Err(format!("line {line}: after a closing quotation mark stands {c:?}, not a comma"));
+                return Err(format!("line {line}: expected a comma after the closing quotation mark, found {c:?}"));
             }
             Some(c) => out.push(c),
         }
@@ -84,7 +84,7 @@ mod tests {
 
     #[test]
     fn what_is_broken_has_a_line() {
-        assert_eq!(read("a\nb,\"c\n\n"), Err("line 2: a quotation mark is opened and never closed".into()));
+        assert_eq!(read("a\nb,\"c\n\n"), Err("line 2: a quotation mark is never closed".into()));
         assert_eq!(read("\"a\nb\"c"), Err("line 2: after a closing quotation mark stands 'c', not a comma".into()));
     }
 }

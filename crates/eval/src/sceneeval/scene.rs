@@ -101,7 +101,7 @@ impl Scene {
         let things = things.collect();
         let room = |(name, region): &(_, _)| match Prism::from_placement(region) {
             Ok(prism) => Ok(Room::new(prism)),
-            Err(_) => Err(format!("the outline of {name} is no simple polygon")),
+            Err(_) => Err(format!("the outline of {name} is not a simple polygon")),
         };
         Ok(Self { things, rooms: layout.regions.iter().map(room).collect::<Result<_, _>>()? })
     }

@@ -96,7 +96,7 @@ pub fn parse(text: &str) -> Result<Suite, String> {
     let suite: Suite = serde_json::from_str(text).map_err(|e| e.to_string())?;
     match () {
         () if suite.format != FORMAT => Err(format!("its format is {:?}, expected {FORMAT:?}", suite.format)),
-        () if suite.scenes == 0 => Err("it has no scenes; `scenes` is how many there are".to_owned()),
+        () if suite.scenes == 0 => Err("it has no scenes; `scenes` gives their number".to_owned()),
         () if suite.scenes > 10_000 => Err("it has more than 10,000 scenes".to_owned()),
         () => Ok(suite),
     }

@@ -55,7 +55,7 @@ pub(super) fn apply(text: &str, standing: &[Standing]) -> Edited {
         if thing.is_building {
             edits.building(thing);
         } else {
-            edits.say(format!("`{}` was added; the program does not know it, and it is not judged", thing.name));
+            edits.say(format!("`{}` was added; it is not in the program, so it is not judged", thing.name));
         }
     }
     let layout = edits.is_other.then(|| file::to_json(&edits.layout, Some(&read.document)));
@@ -77,7 +77,7 @@ impl Edits {
     fn remove(&mut self, name: &str) {
         self.layout.objects.retain(|(n, _)| n != name);
         self.is_other = true;
-        self.say(format!("`{name}` was removed from the scene, or switched off"));
+        self.say(format!("`{name}` was removed from the scene or switched off"));
     }
 
     fn object(&mut self, name: &str, thing: &Standing) {
@@ -85,7 +85,7 @@ impl Edits {
             self.say(format!("`{name}` is called `{}` there now", thing.name));
         }
         if let Some(parent) = &thing.parent {
-            self.say(format!("`{name}` was put below `{parent}`; it is judged where it stands"));
+            self.say(format!("`{name}` was moved under `{parent}`; it is judged where it stands"));
         }
         let Some(place) = &thing.place else {
             return self.say(format!("`{name}` was sheared or mirrored; it is judged as it was exported"));
@@ -106,7 +106,7 @@ impl Edits {
         };
         if !thing.place.as_ref().is_some_and(stays) {
             let say =
-                format!("`{}`, a piece of the building, was moved; rooms are judged as they were exported", thing.name);
+                format!("`{}`, a part of the building, was moved; rooms are judged as they were exported", thing.name);
             self.say(say);
         }
     }

@@ -25,8 +25,8 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
     let layer = if bytes.starts_with(b"PK") { unpacked(name, &bytes)? } else { bytes };
     if layer.starts_with(b"PXR-USDC") {
-        let found = nothing(format!("{name} is a binary layer of USD, which is not read"));
-        return Err(Box::new(found.note("a program that writes USD can save it as text: name it .usda")));
+        let found = nothing(format!("{name} is a binary USD layer, which is not supported"));
+        return Err(Box::new(found.note("save it as text instead, with the extension .usda")));
     }
     let text = decode(layer)?;
     let root = parse(&text)
@@ -39,7 +39,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let is = |key: &str, usual: &str| root.metadata.get(key).and_then(Written::text).is_none_or(|v| v == usual);
     let metres = root.metadata.get("metersPerUnit").and_then(Written::numbers::<1>).is_none_or(|[v]| v == 1.0);
     if !is("upAxis", "Y") || !metres {
-        return Err(nothing(format!("{name} is not in metres with y up any more, so its things cannot be compared")));
+        return Err(nothing(format!("{name} is no longer in metres with y up, so its objects cannot be compared")));
     }
     let imports: Value = said("imports").and_then(|text| serde_json::from_str(text).ok()).unwrap_or_default();
     let found = embedded(format!("{name}/layout.json"), path.join("layout.json"), layout, spec, &imports);
@@ -58,16 +58,19 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
 
 /// The first file of a package, which is its layer.
 fn unpacked(name: &str, bytes: &[u8]) -> Result<Vec<u8>, Box<Diagnostic>> {
-    let broken = |e: &dyn std::fmt::Display| nothing(format!("{name} is no package of USD: {e}"));
+    let broken = |e: &dyn std::fmt::Display| nothing(format!("{name} is not a USD package: {e}"));
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| broken(&e))?;
     if archive.is_empty() {
-        return Err(nothing(format!("{name} is a package without a layer")));
+        return Err(nothing(format!("{name} is a USD package without a layer")));
     }
     let file = archive.by_index(0).map_err(|e| broken(&e))?;
     let mut out = Vec::new();
     file.take(MOST + 1).read_to_end(&mut out).map_err(|e| broken(&e))?;
     if out.len() as u64 > MOST {
-        return Err(nothing(format!("the layer in {name} has more than {} MiB; such layers are not read", MOST >> 20)));
+        return Err(nothing(format!(
+            "the layer in {name} is larger than {} MiB, the largest that is read",
+            MOST >> 20
+        )));
     }
     Ok(out)
 }

@@ -201,7 +201,7 @@ impl<'t> Parser<'t> {
                     self.at += 1;
                     self.escape(&mut out);
                 }
-                Some('\n') if !is_triple => return self.fail("a string does not end in its line"),
+                Some('\n') if !is_triple => return self.fail("a string is not closed on its line"),
                 Some(c) => {
                     out.push(c);
                     self.at += c.len_utf8();
@@ -229,7 +229,7 @@ impl<'t> Parser<'t> {
 
     fn layer(&mut self) -> Step<Prim> {
         if !self.text.trim_start_matches('\u{feff}').starts_with("#usda ") {
-            return self.fail("it does not begin with `#usda`");
+            return self.fail("it does not start with `#usda`");
         }
         let mut root = Prim::default();
         if self.solid_peek()? == Token::Sign('(') {
@@ -263,7 +263,7 @@ impl<'t> Parser<'t> {
                 }
                 Token::Word("variantSet") => self.variants(depth)?,
                 Token::Word(word) => self.property(word, prim, depth)?,
-                _ => return self.fail("a prim or a property was expected"),
+                _ => return self.fail("expected a prim or a property"),
             }
         }
     }
@@ -281,14 +281,14 @@ impl<'t> Parser<'t> {
                     out.name = name;
                     break;
                 }
-                _ => return self.fail("the name of a prim was expected"),
+                _ => return self.fail("expected the name of a prim"),
             }
         }
         if self.solid_peek()? == Token::Sign('(') {
             self.solid()?;
             out.metadata = self.metadata(depth)?;
         }
-        self.expect('{', "a `{` was expected after the name of a prim")?;
+        self.expect('{', "expected `{` after the name of a prim")?;
         self.block(&mut out, depth + 1)?;
         Ok(out)
     }
@@ -296,7 +296,7 @@ impl<'t> Parser<'t> {
     /// Variants are other looks of a thing: they are passed over.
     fn variants(&mut self, depth: usize) -> Step<()> {
         self.solid()?;
-        self.expect('=', "a `=` was expected after the name of a set of variants")?;
+        self.expect('=', "expected `=` after the name of a variant set")?;
         self.expect('{', "a `{` was expected")?;
         self.skip('{', depth)
     }
@@ -336,7 +336,7 @@ impl<'t> Parser<'t> {
                     return Ok(());
                 }
                 Token::Line | Token::End => return Ok(()),
-                _ => return self.fail("a property is not written so"),
+                _ => return self.fail("the syntax of a property is not valid"),
             }
         }
     }
@@ -351,7 +351,7 @@ impl<'t> Parser<'t> {
                 Token::Word(word) => word.clone_into(&mut name),
                 Token::Sign('[' | ']') | Token::Text(_) => {}
                 Token::Sign('=') => drop(out.insert(std::mem::take(&mut name), self.value(depth + 1)?)),
-                _ => return self.fail("metadata are not written so"),
+                _ => return self.fail("the syntax of the metadata is not valid"),
             }
         }
     }
@@ -392,7 +392,7 @@ impl<'t> Parser<'t> {
                 Token::Word(word) => name = word.trim_end_matches(':').to_owned(),
                 Token::Text(text) => name = text,
                 Token::Sign(',' | '[' | ']') => {}
-                _ => return self.fail("a dictionary is not written so"),
+                _ => return self.fail("the syntax of a dictionary is not valid"),
             }
             // `0: value`, where the colon belongs to the word.
             if self.text[..self.at].ends_with(':') && !name.is_empty() {
@@ -442,9 +442,9 @@ mod tests {
     #[test]
     fn what_breaks_off_is_said_with_its_line() {
         for (text, line, say) in [
-            ("{}", 1, "it does not begin with `#usda`"),
+            ("{}", 1, "it does not start with `#usda`"),
             ("#usda 1.0\ndef Xform \"a\"\n{\n", 4, "the file ends within a prim"),
-            ("#usda 1.0\ndef Xform \"a\n", 2, "a string does not end in its line"),
+            ("#usda 1.0\ndef Xform \"a\n", 2, "a string is not closed on its line"),
             ("#usda 1.0\ndef Xform \"a\" { float a = }\n", 2, "a value was expected"),
             ("#usda 1.0\ndef \"a\" { float[] a = [1, 2\n", 3, "a value was expected"),
         ] {

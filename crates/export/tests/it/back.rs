@@ -177,7 +177,7 @@ fn each_change_is_reported_by_name() {
     assert!(now.object("table").is_some());
 
     let (said, now) = after(|d| d["scenes"][0]["nodes"].as_array_mut().unwrap().retain(|i| i != 0));
-    assert_eq!(said, ["`table` was removed from the scene, or switched off"]);
+    assert_eq!(said, ["`table` was removed from the scene or switched off"]);
     assert!(now.object("table").is_none());
 
     let (said, _) = after(|d| {
@@ -196,7 +196,7 @@ fn each_change_is_reported_by_name() {
         let last = nodes.len() - 1;
         d["scenes"][0]["nodes"].as_array_mut().unwrap().push(json!(last));
     });
-    assert_eq!(said, ["`Suzanne` was added; the program does not know it, and it is not judged"]);
+    assert_eq!(said, ["`Suzanne` was added; it is not in the program, so it is not judged"]);
 
     let (said, now) = after(|d| node(d, "crate")["scale"] = json!([2, 2, 2]));
     assert_eq!(said, ["`crate` was scaled by 2.000 × 2.000 × 2.000"]);
@@ -212,7 +212,7 @@ fn each_change_is_reported_by_name() {
         node(d, "table")["children"] = json!([1]);
         d["scenes"][0]["nodes"].as_array_mut().unwrap().retain(|i| i != 1);
     });
-    assert_eq!(said, ["`chair[0]` was put below `table`; it is judged where it stands"]);
+    assert_eq!(said, ["`chair[0]` was moved under `table`; it is judged where it stands"]);
     assert_eq!(now, parts().layout);
 
     let (said, _) = after(|d| {
@@ -258,7 +258,7 @@ fn a_unity_scene_tells_what_was_changed_in_it() {
         said(&found).join("; ")
     };
     assert_eq!(changed("table", "m_Name", "m_Name: Big table"), "`table` is called `Big table` there now");
-    assert_eq!(changed("table", "m_IsActive", "m_IsActive: 0"), "`table` was removed from the scene, or switched off");
+    assert_eq!(changed("table", "m_IsActive", "m_IsActive: 0"), "`table` was removed from the scene or switched off");
     assert_eq!(
         changed("table", "m_LocalScale", "m_LocalScale: {x: 1, y: 2, z: 1}"),
         "`table` was scaled by 1.000 × 2.000 × 1.000"

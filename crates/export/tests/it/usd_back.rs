@@ -133,7 +133,7 @@ fn each_change_is_reported_by_name() {
     assert_eq!(changed("chair_0", "\"chair_0\" (", "\"chair\" ("), "`chair[0]` is called `chair` there now");
     assert_eq!(
         changed("table", "kind = \"component\"", "active = false"),
-        "`table` was removed from the scene, or switched off"
+        "`table` was removed from the scene or switched off"
     );
     let order = "[\"xformOp:translate\", \"xformOp:orient\"]";
     let scaled = "[\"xformOp:translate\", \"xformOp:orient\", \"xformOp:scale\"]\n float3 xformOp:scale = (1, 2, 1)";
@@ -148,7 +148,7 @@ fn each_change_is_reported_by_name() {
     let added = "def Mesh \"Suzanne\"\n{\n}\n\ndef Xform \"table\" (";
     assert_eq!(
         changed("table", "def Xform \"table\" (", added),
-        "`Suzanne` was added; the program does not know it, and it is not judged"
+        "`Suzanne` was added; it is not in the program, so it is not judged"
     );
     let group = "def Xform \"table\" (";
     let within = "def Xform \"group\" {\n double3 xformOp:translate = (0, 0, 2)\n uniform token[] xformOpOrder = [\"xformOp:translate\"]\n }\n def Xform \"table\" (";
@@ -175,7 +175,7 @@ fn a_copy_is_named_and_what_is_below_another_thing_is_judged_where_it_stands() {
     fs::write(written.path("room.usda"), format!("{}{group}{}", &text[..at], &text[end..])).unwrap();
     let found = written.read("room.usda");
     let words = said(&found);
-    assert!(words.contains(&"`balloon` was put below `group`; it is judged where it stands"), "{words:?}");
+    assert!(words.contains(&"`balloon` was moved under `group`; it is judged where it stands"), "{words:?}");
     assert!(words.contains(&"`balloon` was moved by +1.000 m along y"), "{words:?}");
 }
 
@@ -192,7 +192,7 @@ fn what_is_no_scene_of_ours_is_refused() {
         refused("a.usda", b"#usda 1.0\ndef \"x\" {"),
         "a.usda cannot be read as USD: line 2: the file ends within a prim"
     );
-    assert_eq!(refused("a.usd", b"PXR-USDC\0\0"), "a.usd is a binary layer of USD, which is not read");
+    assert_eq!(refused("a.usd", b"PXR-USDC\0\0"), "a.usd is a binary USD layer, which is not supported");
     assert!(refused("a.usdz", b"PK\x03\x04").starts_with("a.usdz is no package of USD"));
     let written = Written::new(&parts().layout);
     let text = fs::read_to_string(written.path("room.usda")).unwrap();

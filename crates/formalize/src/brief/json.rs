@@ -16,7 +16,8 @@ const LARGEST: f64 = 1e6;
 
 /// A brief as text.
 pub fn write(brief: &Brief) -> String {
-    let text = serde_json::to_string_pretty(&Wire::of(brief)).expect("a brief has only numbers, texts and lists");
+    let text = serde_json::to_string_pretty(&Wire::of(brief))
+        .expect("a brief may contain only objects, lists, strings and numbers");
     text + "\n"
 }
 
@@ -290,7 +291,7 @@ impl Wire {
             things: index("things", self.things.iter().map(|thing| &thing.id))?,
         };
         if self.rooms.is_empty() {
-            return Err("rooms: a brief has at least one room".into());
+            return Err("rooms: a brief needs at least one room".into());
         }
         if self.things.len() > MOST_THINGS {
             return Err(format!("things: there are more than {MOST_THINGS}"));
@@ -318,7 +319,9 @@ impl Wire {
         for (i, thing) in brief.things.iter().enumerate() {
             let whole = thing.part.as_ref().map(|part| &brief.things[part.of]);
             if whole.is_some_and(|whole| whole.part.is_some() || whole.group != thing.group) {
-                return Err(format!("things[{i}].part.of: expected a thing of the same group that is no part itself"));
+                return Err(format!(
+                    "things[{i}].part.of: expected a thing of the same group that is not itself a part"
+                ));
             }
         }
         for start in 0..brief.things.len() {
@@ -361,7 +364,7 @@ impl Scope<'_> {
     fn bytes(&self, path: &str, [start, end]: [usize; 2]) -> Result<Range<usize>, String> {
         match self.request.get(start..end) {
             Some(_) => Ok(start..end),
-            None => Err(format!("{path}: [{start}, {end}] are no bytes of the request")),
+            None => Err(format!("{path}: [{start}, {end}] are not a range of bytes in the request")),
         }
     }
 
@@ -402,7 +405,10 @@ impl Scope<'_> {
 
     fn thing(&self, path: &str, thing: WireThing) -> Result<Thing, String> {
         if thing.head == 0 || thing.head > thing.noun.len() {
-            return Err(format!("{path}.head: expected 1 to {}, the words of the noun", thing.noun.len().max(1)));
+            return Err(format!(
+                "{path}.head: expected 1 to {}, the number of words in the noun",
+                thing.noun.len().max(1)
+            ));
         }
         let own = self.a_thing(path, &thing.id)?;
         let number = match thing.number {

@@ -79,7 +79,7 @@ pub(crate) const MOST_GUIDED: usize = 250;
 
 /// What is said of a number of like things that is not taken as it is.
 pub fn too_many(n: usize) -> Option<String> {
-    (n > MOST_COUNT).then(|| format!("{n} are too many: of one kind {MOST_COUNT} are placed at most"))
+    (n > MOST_COUNT).then(|| format!("{n} is too many: at most {MOST_COUNT} of one kind are placed"))
 }
 
 impl Brief {
@@ -142,7 +142,9 @@ impl Brief {
             let n = self.count(thing);
             if n > left.max(1) {
                 let kept = left.max(1);
-                let reason = format!("{n} more are too many: {MOST_IN_ALL} things are placed at most, {kept} of these");
+                let reason = format!(
+                    "{n} more are too many: at most {MOST_IN_ALL} things are placed, including {kept} of these"
+                );
                 self.notes.push(Note { at: self.things[thing].source.at(), reason });
                 self.things[thing].number = Number::Exactly(kept);
             }

@@ -207,7 +207,7 @@ fn hall(brief: &mut Brief, least: usize) {
         return;
     }
     let name = if home { "hall" } else { "corridor" };
-    add(brief, name, "one gets from room to room through it");
+    add(brief, name, "it connects the rooms");
 }
 
 /// How much of what such rooms have together a home has.

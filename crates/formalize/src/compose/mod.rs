@@ -32,9 +32,10 @@ pub fn compose(brief: &Brief) -> Draft {
         if (0..3).any(|k| sizes[i][k] > most[k]) {
             (0..3).for_each(|k| sizes[i][k] = sizes[i][k].min(most[k].max(0.05)));
             if item.size.iter().any(Option::is_some) {
-                draft
-                    .notes
-                    .push(Note { at: item.source.at(), reason: "larger than its room: made as large as fits".into() });
+                draft.notes.push(Note {
+                    at: item.source.at(),
+                    reason: "it is larger than its room, so it is made as large as fits".into(),
+                });
             }
         }
     }
@@ -67,7 +68,7 @@ pub fn compose(brief: &Brief) -> Draft {
     draft.notes.extend(limited(brief, &draft));
     for (name, at) in &brief.absent {
         if brief.things.iter().any(|i| i.name() == *name) {
-            draft.notes.push(Note { at: at.clone(), reason: format!("{name} is asked for elsewhere") });
+            draft.notes.push(Note { at: at.clone(), reason: format!("{name} is requested elsewhere") });
         }
     }
     draft
@@ -160,7 +161,7 @@ fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<Room> 
     let mut out = Vec::new();
     for (i, room) in brief.rooms.iter().enumerate() {
         let source = match &room.source {
-            Source::Stated(at) if at.is_empty() => Source::Inferred("the things stand in a room".into()),
+            Source::Stated(at) if at.is_empty() => Source::Inferred("objects need a room to stand in".into()),
             source => source.clone(),
         };
         let sized = room.size[0].is_some() && room.size[2].is_some();
@@ -191,7 +192,7 @@ fn limited(brief: &Brief, draft: &Draft) -> Vec<Note> {
     for (room, made) in brief.rooms.iter().zip(&draft.rooms) {
         for (said, is) in room.size.iter().zip(made.size) {
             let said = said.filter(|said| (said - is).abs() > 0.001);
-            let reason = said.map(|said| format!("no room is so large or so small: {said} m is read as {is} m"));
+            let reason = said.map(|said| format!("rooms have no such size: {said} m is read as {is} m"));
             out.extend(reason.map(|reason| Note { at: room.source.at(), reason }));
         }
     }
@@ -217,7 +218,7 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
                 }
                 out.infer(
                     format!("assert {name}.bottom = {};", crate::write::number(sill)),
-                    "the window begins above what stands under it",
+                    "the window starts above what stands under it",
                 );
             }
         }

@@ -45,12 +45,13 @@ pub fn state(named: &Named) -> Stated {
     for (k, fact) in named.brief.facts.iter().enumerate() {
         let texts = named.fact(k, fact);
         if texts.is_empty() {
-            out.notes.push(Note { at: fact.source.at(), reason: "no predicate says this of one thing alone".into() });
+            out.notes
+                .push(Note { at: fact.source.at(), reason: "no predicate expresses this for a single object".into() });
         }
         // Nobody softened it, and it is weaker than it was said all the same.
         let weak = |text: &String| text.starts_with("prefer ");
         if !fact.soft && fact.source.reason().is_none() && texts.first().is_some_and(weak) {
-            let reason = "only a preference: taken exactly, it is at odds with something else that is asked for";
+            let reason = "kept as a preference: as a requirement it would contradict another part of the request";
             out.notes.push(Note { at: fact.source.at(), reason: reason.into() });
         }
         // Of what nobody asked for nobody said anything either.

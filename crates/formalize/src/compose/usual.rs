@@ -101,7 +101,7 @@ impl<'n, 'b> It<'n, 'b> {
                 out.infer(self.mounted("ceilingMounted"), &format!("a {name} hangs from the ceiling"));
             }
             Group::Ceiling if self.above && self.measured && !self.placed => {
-                out.infer(self.floating(), "it hangs on a cord");
+                out.infer(self.floating(), "it hangs from a cord");
             }
             Group::Top if !self.held && !self.placed && !self.above && !self.apart => {
                 self.rests_on(self.top(), &format!("a {name} stands on something"), out);
@@ -110,7 +110,7 @@ impl<'n, 'b> It<'n, 'b> {
                 if !self.named.brief.facts.iter().any(|f| f.of.contains(&self.a)) && self.named.counts[self.a] <= 4 =>
             {
                 let at_wall = self.mounted("againstWall").replacen("assert", "prefer", 1);
-                out.infer(at_wall, "such things stand at a wall");
+                out.infer(at_wall, "this kind of object stands against a wall");
             }
             Group::Soft if !self.held && !self.placed => {
                 self.rests_on(self.seat(), &format!("a {name} lies on something"), out);
@@ -172,10 +172,10 @@ impl<'n, 'b> It<'n, 'b> {
             let What::Rel(rel @ (Rel::Beside | Rel::Opposite), to) = &fact.what else { continue };
             let [b] = to[..] else { continue };
             if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(self.a, b)) {
-                out.infer(format!("prefer {sides};"), "a pair stands at both sides");
+                out.infer(format!("prefer {sides};"), "a pair stands on both sides");
             } else if *rel == Rel::Opposite {
                 let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, 4)"));
-                out.infer(format!("prefer {near};"), "what is across from a thing is in sight of it");
+                out.infer(format!("prefer {near};"), "an object across from another faces it");
             }
         }
     }
@@ -194,7 +194,10 @@ impl<'n, 'b> It<'n, 'b> {
         {
             let wall = matches!(group, Group::Storage | Group::Floor | Group::Table | Group::Top);
             if wall && !self.measured {
-                out.infer(self.mounted("wallMounted"), "what is above something and stands on nothing hangs on a wall");
+                out.infer(
+                    self.mounted("wallMounted"),
+                    "an object above another with nothing under it hangs on the wall",
+                );
             } else {
                 out.infer(self.floating(), "it hangs above something");
             }
@@ -224,7 +227,7 @@ impl<'n, 'b> It<'n, 'b> {
                 _ => false,
             });
         if (low || self.apart) && !raised && !(self.above && self.lamp) {
-            out.infer(self.mounted("onFloor"), "what nothing carries stands on the floor");
+            out.infer(self.mounted("onFloor"), "an object that nothing carries stands on the floor");
         }
     }
 
@@ -236,7 +239,7 @@ impl<'n, 'b> It<'n, 'b> {
             out.infer(format!("assert {places};"), "tables with their seats stand in rows");
         }
         if let Some(places) = named.drawn_up(a) {
-            out.infer(format!("assert {places};"), "seats are drawn up to their tables");
+            out.infer(format!("assert {places};"), "seats belong at their tables");
         }
         let faces = |f: &Fact| matches!(f.what, What::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
         if let Some(turned) = named.turned(a).filter(|_| !named.brief.facts.iter().any(faces)) {
@@ -252,7 +255,7 @@ impl<'n, 'b> It<'n, 'b> {
             let turned = self.said(|w| matches!(w, What::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
             let verb = if turned { "prefer" } else { "assert" };
             let along = self.named.pairs(self.a, stand, &|x, y| format!("angle({x}.front, {y}.front) <= 5"));
-            out.infer(format!("{verb} {along};"), "a screen looks the way its stand does");
+            out.infer(format!("{verb} {along};"), "a screen faces the same way as its stand");
         }
     }
 
@@ -269,7 +272,7 @@ impl<'n, 'b> It<'n, 'b> {
         let (eyes, least, give) = if seated { (1.1, 0.5, 0.1) } else { (1.5, 0.6, 0.2) };
         let low = number((eyes - height / 2.0).max(least));
         let test = |x: &str| format!("abs({x}.bottom - {low}) <= {}", number(give));
-        out.infer(format!("prefer {};", self.named.all(self.a, test)), "at the height of the eyes");
+        out.infer(format!("prefer {};", self.named.all(self.a, test)), "at eye level");
     }
 
     /// Rugs and cloths may lie under anything.
@@ -277,7 +280,7 @@ impl<'n, 'b> It<'n, 'b> {
         const CLOTHS: [&str; 6] = ["tablecloth", "placemat", "blanket", "throw", "duvet", "quilt"];
         let cloth = self.item.words.last().is_some_and(|w| CLOTHS.contains(&w.as_str()));
         if (self.item.group == Group::Flat || cloth) && self.named.names[self.a].len() == 1 {
-            out.infer(format!("allowCollide({}, objects);", self.named.name(self.a)), "things may stand on it");
+            out.infer(format!("allowCollide({}, objects);", self.named.name(self.a)), "objects may stand on it");
         }
     }
 }

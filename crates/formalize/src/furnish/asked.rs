@@ -126,7 +126,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         let is_mat = stand::group(&noun) == Group::Flat;
         if (is_mat || stand::on_floor(plan.draft, &it))
-            && rows(plan, &noun, it.count, toward, ("such things stand in rows", Some(thing)))
+            && rows(plan, &noun, it.count, toward, ("this kind of object stands in rows", Some(thing)))
         {
             plan.draft
                 .statements
@@ -210,11 +210,11 @@ fn at_a_wall(plan: &mut Plan, thing: usize) -> AtWall {
     let said = plan.draft.statements.iter().any(|s| s.demand == Demand::Must && s.text.contains(&at_wall));
     plan.draft.statements.retain(|s| s.demand != Demand::Prefer || s.text != at_wall);
     if !said {
-        plan.say(all(&at_wall), "such things stand at a wall");
+        plan.say(all(&at_wall), "this kind of object stands against a wall");
     }
     if let Some(depth) = stand::access(&it.category).filter(|_| !choose::front_taken(&noun)) {
         let text = all(&format!("clear({one}, front, {})", metres(depth))).replacen("assert", "prefer", 1);
-        plan.say(text, "one gets at it from the front");
+        plan.say(text, "it is used from the front");
     }
     if verb == "assert" || said { AtWall::Yes } else { AtWall::No }
 }
@@ -361,5 +361,5 @@ fn straighten(plan: &mut Plan, thing: usize) {
         1 => format!("assert {name}.rot.y = {yaw};"),
         _ => format!("assert forall a in {name}: a.rot.y = {yaw};"),
     };
-    plan.say(text, "things stand parallel to the walls");
+    plan.say(text, "objects stand parallel to the walls");
 }

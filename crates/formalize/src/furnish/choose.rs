@@ -47,6 +47,8 @@ const LONG_BED: f64 = 1.8;
 const FREE: f64 = 2.6;
 /// What is parked along a wall is so far from it (metres).
 const ALONG_WALL: f64 = 0.05;
+/// What belongs at a window costs so much more elsewhere.
+const AWAY_FROM_WINDOW: f64 = 6.0;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 /// What hangs beside the door, where everybody finds it.
@@ -118,6 +120,9 @@ impl Choice<'_> {
         }
         cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
+        if self.noun.starts_with("window ") && !lit {
+            cost += AWAY_FROM_WINDOW;
+        }
         if self.is(&["bed"]) {
             // A narrow one lies along a wall, and its free side is its right one.
             let narrow = self.size[0] < 1.15 && before.is_empty() && self.is(&ALONG);

@@ -41,7 +41,7 @@ pub fn way_in(draft: &mut Draft, at: usize) {
         rooms: vec![at],
         size,
         look: Look::default(),
-        source: Source::Inferred("one has to get in".into()),
+        source: Source::Inferred("a room needs a way in".into()),
     });
 }
 
@@ -124,11 +124,11 @@ pub fn add_windows(plan: &mut Plan) {
             let step = metres(step);
             let row =
                 format!("assert {name}.pos = {last}.pos + {last}.right * {step} and {name}.rot.y = {last}.rot.y;");
-            plan.say(row, "windows are in one wall");
+            plan.say(row, "all windows are in one wall");
         } else if let (Some((wall, first)), true) = (row, plan.draft.rooms.len() > 1) {
             let at = Pose { y: sill, ..wall.place([w, h, d], first, 0.0) };
             let text = place::absolute(&name, &plan.room_name(), [at.x, at.y, at.z], at.yaw);
-            plan.say(format!("assert {text};"), "a window looks outside, not into the next room");
+            plan.say(format!("assert {text};"), "a window faces outside, not the next room");
         } else {
             plan.say(format!("assert {name}.pos.y = {};", metres(sill)), "a window has a sill");
         }
@@ -164,7 +164,7 @@ pub fn keep_windows_free(draft: &mut Draft, at: usize) {
                 1 => format!("{verb} far({name}, {window}, 0.1);"),
                 _ => format!("{verb} forall a in {name}: far(a, {window}, 0.1);"),
             };
-            let source = Source::Inferred("nothing tall stands before a window".into());
+            let source = Source::Inferred("nothing tall stands in front of a window".into());
             draft.statements.push(Statement::new(&text, source));
         }
     }

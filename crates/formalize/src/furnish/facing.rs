@@ -21,7 +21,7 @@ const LOW: f64 = 0.6;
 /// The group of what stands around that table, and what is added where none is asked for.
 const BETWEEN: &str = "facing table";
 const TABLE: &str = "coffee table";
-const WHY: &str = "who sits face to face has a low table between";
+const WHY: &str = "seats that face each other share a low table";
 
 /// Between two sofas in a corner, and from the wall behind the first to the side of the second (metres).
 const CORNER: f64 = 0.12;
@@ -86,7 +86,7 @@ pub fn in_corner(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
         }
         let [first, other] = [0, 1].map(|i| format!("{}[{i}]", it.name));
         let slot = Slot { x: second.x, z: second.z, level: Level::Floor, yaw: second.yaw.rem_euclid(360.0) };
-        plan.say(format!("assert {};", place::fixed(&other, &first, &slot, 0.0, 0.0)), "two sofas make a corner");
+        plan.say(format!("assert {};", place::fixed(&other, &first, &slot, 0.0, 0.0)), "two sofas form a corner");
         table(plan, &first, middle);
         true
     })

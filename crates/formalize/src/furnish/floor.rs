@@ -94,7 +94,7 @@ pub struct Piece {
     pub at: Pose,
     /// Its size.
     pub size: [f64; 3],
-    /// Whether things may stand on it: rugs.
+    /// Whether objects may stand on it: rugs.
     pub flat: bool,
     /// Whether it hides a window and is hidden from the door.
     pub tall: bool,

@@ -36,7 +36,7 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &Kind) {
         && w.max(d) > wide + 1.6
     {
         let size = [wide, high.min(h - 0.15), 0.12];
-        add(draft, at, "garageDoor", GATE, size, &format!("cars and goods come into a {}", kind.name));
+        add(draft, at, "garageDoor", GATE, size, &format!("cars or goods enter a {}", kind.name));
         // It is placed first: the ordinary door finds room beside it.
         draft.openings.rotate_right(1);
     }

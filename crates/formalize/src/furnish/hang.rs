@@ -56,7 +56,7 @@ pub fn up(plan: &mut Plan, at: usize) {
     let height = plan.draft.rooms[plan.room].size[1];
     if stand::group(&noun) == Group::Ceiling {
         let text = place::absolute(&it.name, &plan.room_name(), [0.0, height - size[1], 0.0], 0.0);
-        return plan.say(format!("prefer {text};"), "it hangs over the middle of the room");
+        return plan.say(format!("prefer {text};"), "it hangs above the middle of the room");
     }
     let y = (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3));
     let line = line(plan, at);
@@ -87,6 +87,6 @@ pub fn up(plan: &mut Plan, at: usize) {
     }
     if let (Some(_), Some(pose)) = (own, plan.place_in_room(&it.name)) {
         let text = place::absolute(&it.name, &plan.room_name(), [pose.x, pose.y, pose.z], pose.yaw);
-        plan.say(format!("prefer {text};"), "such rooms have it there");
+        plan.say(format!("prefer {text};"), "it usually stands there in such a room");
     }
 }

@@ -40,7 +40,7 @@ pub enum Place {
     Service(f64),
     /// At a wall opposite a thing, looking at it.
     Opposite(String),
-    /// On a wall, at the height of the eyes.
+    /// On a wall, at eye level.
     Hung,
     /// Under the ceiling, spread evenly.
     Ceiling,

@@ -457,7 +457,7 @@ impl<'a> Plan<'a> {
                 n => (0..n).map(|i| format!("{}[{i}]", part.name)).collect(),
             };
             for name in names {
-                self.say(format!("allowCollide({name}, objects);"), "things may stand on it");
+                self.say(format!("allowCollide({name}, objects);"), "objects may stand on it");
             }
         }
     }
@@ -498,8 +498,8 @@ pub(super) fn why(of: &str, noun: &str, at: &Where) -> String {
     let article = |noun: &str| if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     let a = |noun: &str| format!("{} {noun}", article(noun));
     match at {
-        Where::Top(..) => format!("{} is used with {} on it", a(of), a(noun)),
-        Where::Board(..) => format!("{} is there to hold things", a(of)),
+        Where::Top(..) => format!("{} needs {} on it", a(of), a(noun)),
+        Where::Board(..) => format!("{} holds things", a(of)),
         Where::Around(..) | Where::LongSides(..) | Where::Row(..) => format!("people sit at {}", a(of)),
         Where::Under(..) => format!("{} lies under {}", a(noun), a(of)),
         Where::Over => format!("{} lights {}", a(noun), a(of)),

@@ -15,7 +15,7 @@ const AROUND: f64 = 0.9;
 const JOINT: f64 = 0.01;
 /// A row has so many shelves.
 const ROW: std::ops::RangeInclusive<usize> = 3..=8;
-const WHY: &str = "shelves stand in rows, back to back";
+const WHY: &str = "shelves stand back to back in rows";
 
 /// Whether a thing is many shelves of a library, and nothing is said of where they are.
 pub fn are_many(plan: &Plan, thing: usize) -> bool {

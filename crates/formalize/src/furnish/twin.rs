@@ -19,7 +19,7 @@ const LARGEST: [f64; 2] = [1.4, 0.7];
 /// Beds of this name are not like others.
 const OTHER: [&str; 6] = ["hospital bed", "patient bed", "bunk bed", "loft bed", "dog bed", "flower bed"];
 const USUAL: &str = "nightstand";
-const WHY: &str = "two beds side by side share what is between them";
+const WHY: &str = "two beds side by side share the nightstand between them";
 
 /// Finds a place for a group, given those of the groups before it.
 type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;

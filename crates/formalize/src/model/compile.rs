@@ -108,13 +108,13 @@ pub(super) fn malformed(statement: &str) -> Option<String> {
     }
     let (statements, _) = parse_statement(&text);
     match statements.as_slice() {
-        [one] if !one.requirements.is_empty() => Some("it has an `@req`: these are written by the tool".into()),
+        [one] if !one.requirements.is_empty() => Some("it contains an `@req`, which only the tool writes".into()),
         [one] => match one.kind {
             StmtKind::Assert { .. } | StmtKind::Prefer { .. } | StmtKind::Allow { .. } | StmtKind::Error => None,
-            _ => Some("only `assert`, `prefer` and permissions can be stated here".into()),
+            _ => Some("only `assert`, `prefer` and permissions are allowed here".into()),
         },
         [] => Some("it is empty".into()),
-        _ => Some("it is more than one statement".into()),
+        _ => Some("it contains more than one statement".into()),
     }
 }
 
@@ -150,12 +150,12 @@ pub(super) fn settle(draft: &mut Draft, told: &mut Vec<String>) {
         };
         thing.size = None;
         told.push(format!(
-            "the size of {} is left out: with it these cannot hold together: {}",
+            "the size of {} is left out, because with it these cannot hold together: {}",
             thing.name,
             texts.join("; ")
         ));
     }
-    told.push("there are more contradictions than are looked for".into());
+    told.push("there are more contradictions than the search looks for".into());
 }
 
 /// Whether the program of a draft compiles.

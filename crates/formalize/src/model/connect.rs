@@ -69,7 +69,7 @@ pub(super) fn connect(
         rooms.truncate(2);
         if rooms.is_empty() {
             if let crate::draft::Source::Stated(at) = source {
-                draft.notes.push(Note { at, reason: "an opening between regions that are not there".into() });
+                draft.notes.push(Note { at, reason: "an opening between regions that do not exist".into() });
             }
             continue;
         }

@@ -80,7 +80,7 @@ pub(super) fn statements(
         if answer.constraints.len() > MOST {
             asker
                 .diagnostics
-                .push(format!("{} statements are too many: the first {MOST} are read", answer.constraints.len()));
+                .push(format!("{} statements are too many: only the first {MOST} are read", answer.constraints.len()));
             answer.constraints.truncate(MOST);
         }
         let (wrong, report) = judged(draft, given, &answer.constraints);
@@ -91,7 +91,7 @@ pub(super) fn statements(
         said.truncate(1);
         said.push(Message::new(Role::Assistant, plain(&shown(&answer.constraints).to_string(), 20_000)));
         said.push(Message::new(Role::User, format!(
-            "These statements do not compile. Give all statements of the region again, these mended and the others as they were.\n\n{report}"
+            "These statements do not compile. Return all statements of the region again, with these corrected and the others unchanged.\n\n{report}"
         )));
     }
 }
@@ -151,7 +151,7 @@ fn kept(
         };
         asker.diagnostics.push(format!("a statement is left out: `{}`: {why}", plain(statement, 120)));
         if let Source::Stated(at) = source {
-            draft.notes.push(Note { at, reason: format!("no statement for this compiled: {}", plain(statement, 120)) });
+            draft.notes.push(Note { at, reason: format!("no statement compiled for this: {}", plain(statement, 120)) });
         }
     }
     out

@@ -50,7 +50,9 @@ pub(super) fn divide(
         answer.regions.push(Region { name: "room".into(), kind: "room".into(), sentences: Vec::new() });
     }
     if answer.regions.len() > MOST {
-        asker.diagnostics.push(format!("{} regions are too many: the first {MOST} are kept", answer.regions.len()));
+        asker
+            .diagnostics
+            .push(format!("{} regions are too many: only the first {MOST} are kept", answer.regions.len()));
         answer.regions.truncate(MOST);
     }
     let mut parts = Vec::new();

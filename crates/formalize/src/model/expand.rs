@@ -57,7 +57,7 @@ pub(super) fn expand(asker: &mut Asker<'_>, request: &str) -> Result<Sentences, 
         }
         let lost: Vec<String> = lost.iter().map(|word| format!("`{}`", plain(word, 40))).take(20).collect();
         let say = format!(
-            "This expansion loses part of the request: {}. Give every sentence of the request again, word for word and without a reason, and your own after them.",
+            "This expansion loses part of the request: {}. Repeat every sentence of the request word for word, without a reason, followed by your own sentences.",
             lost.join(", ")
         );
         let shown: Vec<&str> = stated.iter().take(MOST).copied().collect();
@@ -65,7 +65,7 @@ pub(super) fn expand(asker: &mut Asker<'_>, request: &str) -> Result<Sentences, 
         said.push(Message::new(Role::Assistant, plain(&shown.join(" "), 4000)));
         said.push(Message::new(Role::User, say));
     }
-    asker.diagnostics.push("the request is not expanded: each expansion of it lost something".into());
+    asker.diagnostics.push("the request is not expanded, because every expansion lost part of it".into());
     Ok(Sentences::of_request(request))
 }
 

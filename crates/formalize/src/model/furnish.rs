@@ -97,17 +97,21 @@ pub(super) fn furnish(
     draft.rooms[room].floor = surface(&answer.floor);
     draft.rooms[room].walls = surface(&answer.walls);
     if answer.objects.len() > MOST {
-        asker.diagnostics.push(format!("{} objects are too many: the first {MOST} are kept", answer.objects.len()));
+        asker
+            .diagnostics
+            .push(format!("{} objects are too many: only the first {MOST} are kept", answer.objects.len()));
     }
     for object in answer.objects.iter().take(MOST) {
         let most = i64::try_from(MOST_ALIKE).unwrap_or(i64::MAX);
         if object.count < 1 || object.count > most {
             let name = plain(&object.name, 40);
-            asker.diagnostics.push(format!("{} of `{name}` cannot be: 1 to {MOST_ALIKE} can", object.count));
+            asker
+                .diagnostics
+                .push(format!("`{name}` cannot have {} elements: expected 1 to {MOST_ALIKE}", object.count));
         }
         let count = usize::try_from(object.count.clamp(1, most)).unwrap_or(1);
         if draft.things.iter().map(|thing| thing.count).sum::<usize>() + count > MOST_IN_ALL {
-            asker.diagnostics.push(format!("a scene has {MOST_IN_ALL} objects at most: the others are left out"));
+            asker.diagnostics.push(format!("a scene has at most {MOST_IN_ALL} objects; the others are left out"));
             break;
         }
         // Of a size that cannot be nothing is taken: then it is the usual one of its category.

@@ -91,10 +91,7 @@ pub struct Outcome {
 pub fn draft(request: &str, asking: &Asking, model: &mut dyn Model) -> Outcome {
     let mut asker = Asker::new(model, *asking);
     let draft = if request.len() > LONGEST {
-        Err(Error::Setup(format!(
-            "a model is asked about {LONGEST} bytes at most, and the request has {}",
-            request.len()
-        )))
+        Err(Error::Setup(format!("a model is sent at most {LONGEST} bytes, and the request has {}", request.len())))
     } else {
         steps(request, &mut asker)
     };
@@ -164,7 +161,7 @@ fn steps(request: &str, asker: &mut Asker<'_>) -> Result<Draft, Error> {
     if compile::compiles(&draft) {
         Ok(draft)
     } else {
-        Err(Error::Malformed("no program came of it that compiles".into()))
+        Err(Error::Malformed("it produced no program that compiles".into()))
     }
 }
 
@@ -182,7 +179,7 @@ fn unread(draft: &mut Draft) {
     let used: Vec<_> = sources.chain(draft.notes.iter().map(|note| note.at.clone())).collect();
     for at in sentence_ranges(&draft.request) {
         if !used.iter().any(|used| used.start < at.end && at.start < used.end) {
-            draft.notes.push(Note { at, reason: "the model made nothing of this sentence".into() });
+            draft.notes.push(Note { at, reason: "the model produced nothing for this sentence".into() });
         }
     }
     draft.notes.sort_by_key(|note| note.at.start);

@@ -76,7 +76,7 @@ pub(super) fn place(asker: &mut Asker<'_>, sentences: &Sentences, draft: &mut Dr
         let points: Vec<[f64; 2]> = points.map(|p| p.map(|v| (v * 1e4).round() / 1e4)).collect();
         let far = |v: f64| !(v.is_finite() && v.abs() <= 10.0 * LENGTHS[1]);
         if points.len() < 3 || points.len() > MOST || points.iter().flatten().any(|v| far(*v)) {
-            asker.diagnostics.push(format!("the outline of {} cannot be used: it has its usual size", room.name));
+            asker.diagnostics.push(format!("the outline of {} cannot be used, so the usual size is taken", room.name));
             continue;
         }
         let bound = |axis: usize| {

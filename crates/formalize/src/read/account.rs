@@ -40,8 +40,8 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
         for &i in own.iter().filter(|i| !used[**i]) {
             let at = tokens[i].at.clone();
             let reason = match tokens[i].kind {
-                Kind::Number(_) => "this number is in no statement",
-                _ if turns(tokens, i) => "this changes what is asked for, and no statement says it",
+                Kind::Number(_) => "no statement uses this number",
+                _ if turns(tokens, i) => "this changes the request, and no statement expresses it",
                 _ => continue,
             };
             if !told(&out.notes[first..], &at) {

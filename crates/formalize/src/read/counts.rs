@@ -42,7 +42,7 @@ pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
             let minus = matches!(sign.kind, Kind::Sign('-' | '−' | '—')) && sign.at.end == token.at.start && alone;
             if minus || sign.is("minus") {
                 let at = sign.at.start..token.at.end;
-                out.push((at, format!("no count and no size is below zero: this is read as {n}")));
+                out.push((at, format!("counts and sizes are not negative: this is read as {n}")));
             }
         }
         let word = |k: usize| tokens.get(k).map_or("", |t| t.text.as_str());
@@ -51,13 +51,13 @@ pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
             && n * metres < THIN
         {
             let at = token.at.start..tokens[i + 2].at.end;
-            out.push((at, format!("no thing is so thin: it is made at least {THIN} m, or as large as usual")));
+            out.push((at, format!("too thin: it is made at least {THIN} m, or its usual size")));
         }
         let thing = |k: usize| tokens.get(k).is_some_and(|t| t.word() && get().noun(&t.text).is_some());
         let whole = tokens.get(i + 1).is_some_and(|t| t.is("a") || t.is("an"));
         if token.is("half") && whole && thing(i + 2) && number::count(&tokens[i..]).is_none() {
             let at = token.at.start..tokens[i + 2].at.end;
-            out.push((at, "there is no part of a thing: this is read as 1".to_owned()));
+            out.push((at, "objects come in whole numbers: this is read as 1".to_owned()));
         }
     }
     out
@@ -71,7 +71,7 @@ pub fn whole(n: f64) -> usize {
 /// What is said of a count that is not taken as it is.
 pub fn said(n: f64) -> Option<String> {
     if n.fract() != 0.0 {
-        return Some(format!("there is no part of a thing: {n} is read as {}", whole(n)));
+        return Some(format!("objects come in whole numbers: {n} is read as {}", whole(n)));
     }
     too_many(n as usize)
 }

@@ -77,6 +77,35 @@ pub(super) fn family(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A science lab for a school", "a chemistry lab in a high school": the classroom.
+pub(super) fn school_lab(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SUBJECTS: [&str; 4] = ["science", "chemistry", "physics", "biology"];
+    if !matches!(word(tokens, i), "lab" | "laboratory") || !matches!(word(tokens, i + 1), "for" | "in" | "at" | "of") {
+        return false;
+    }
+    let mut last = i + 2 + usize::from(matches!(word(tokens, i + 2), "a" | "the"));
+    last += usize::from(matches!(word(tokens, last), "high" | "secondary" | "middle" | "grammar"));
+    if word(tokens, last) != "school" {
+        return false;
+    }
+    let first = i - usize::from(i > 0 && SUBJECTS.contains(&word(tokens, i - 1)));
+    put(tokens, first, last + 1, &["science", "classroom"]);
+    true
+}
+
+/// "A window bar", "a counter along the window": one sits there and looks out.
+pub(super) fn window_counter(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let end = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2), word(tokens, i + 3)] {
+        ["window", "bar", ..] => i + 2,
+        ["counter" | "bar", "along" | "at" | "by" | "under", "the", "window" | "windows"] => i + 4,
+        ["counter", "seating" | "seats", "by" | "at" | "along", "the"] if word(tokens, i + 4).starts_with("window") => i + 5,
+        _ => return false,
+    };
+    let article = i > 0 && matches!(word(tokens, i - 1), "a" | "the" | "one");
+    put(tokens, i, end, if article { &["window", "counter"] } else { &["a", "window", "counter"] });
+    true
+}
+
 /// "A lobby with a reception", "a law office with a reception": the desk. "A reception stand": where a host receives guests.
 pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     if word(tokens, i) == "reception" && word(tokens, i + 1) == "stand" {
@@ -111,6 +140,10 @@ mod tests {
             ("a room for two people with a desk", "a room for two people with a desk"),
             ("a stage with an audience of forty people", "a stage with forty seats"),
             ("the audience of a play", "the audience of a play"),
+            ("a science lab for a school", "a science classroom"),
+            ("a lab in a high school with a desk", "a science classroom with a desk"),
+            ("a cafe with a counter along the windows", "a cafe with a window counter"),
+            ("a cafe with a bar and stools", "a cafe with a bar and stools"),
             ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
             ("a hotel with a reception", "a hotel with a reception"),
             ("a restaurant with a reception stand", "a restaurant with a host stand"),

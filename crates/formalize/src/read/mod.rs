@@ -126,7 +126,7 @@ pub fn brief(request: &str) -> Brief {
     }
     let Account { clauses, words, mut notes } = account::account(&tokens, &used, &grammar, &brief.notes);
     if end < request.len() {
-        notes.push(Note { at: end..request.len(), reason: "the request is longer than what is read".into() });
+        notes.push(Note { at: end..request.len(), reason: "the request is longer than the part that is read".into() });
     }
     notes.extend(answers);
     notes.extend(counts::odd(&tokens).into_iter().map(|(at, reason)| Note { at, reason }));
@@ -157,7 +157,7 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let people = brief.rooms.iter().find_map(|room| room.people);
     let people = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none()));
     if let (Extent::Literal, Some(people)) = (extent, people) {
-        let reason = format!("for {people} people: no statement says so where nothing is added");
+        let reason = format!("for {people} people: without added objects no statement expresses this");
         draft.notes.push(Note { at: people::phrase(&brief.request), reason });
     }
     if extent == Extent::Usual {
@@ -166,7 +166,7 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
         furnish(&mut draft, &brief);
         draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;
         if !draft.guided {
-            let reason = format!("the guidelines of the library are left out with more than {MOST_GUIDED} things");
+            let reason = format!("with more than {MOST_GUIDED} objects the guidelines of the library are left out");
             draft.notes.push(Note { at: 0..0, reason });
         }
     }

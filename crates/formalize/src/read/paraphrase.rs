@@ -28,7 +28,9 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::walls,
             meant::vehicles,
             meant::audience,
+            meant::window_counter,
             meant::counter_seats,
+            meant::school_lab,
             meant::family,
             meant::reception,
         ];

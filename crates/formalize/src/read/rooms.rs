@@ -343,7 +343,7 @@ pub fn fewer(chunks: &[Chunk], tokens: &[Token], rooms: &[Room]) -> Vec<(Range<u
                 1 => "only one is".to_owned(),
                 n => format!("only {n} are"),
             };
-            out.push((at, format!("{wanted} such rooms are asked for, but {done} laid out; name each of them")));
+            out.push((at, format!("{wanted} such rooms are requested, but only {done} laid out; name each of them")));
         }
     }
     out

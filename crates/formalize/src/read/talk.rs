@@ -204,7 +204,7 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
             continue;
         }
         let mut at = first.at.start..last.at.end;
-        let mut reason = "this is an answer in a conversation, and asks for nothing";
+        let mut reason = "this is a reply in a conversation and requests nothing";
         if let Some(room) = room(said).filter(|_| proposed.is_none()) {
             kept.extend_from_slice(room);
             kept.push(Token { kind: Kind::Sign(':'), text: ":".to_owned(), ..room[room.len() - 1].clone() });
@@ -216,7 +216,7 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
             let Some(before) = from.checked_sub(1) else { continue };
             at = first.at.start..said[before].at.end;
         } else if taken {
-            reason = "what is agreed to here is not clear";
+            reason = "it is not clear what is agreed to here";
         }
         notes.push(Note { at, reason: reason.to_owned() });
     }

@@ -30,7 +30,7 @@ const BESIDE: f64 = 2.2;
 const FOR_TWO: f64 = 1.35;
 /// The doors that are added (metres), and why.
 const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
-const WHY: &str = "one has to get from room to room";
+const WHY: &str = "the rooms must be connected";
 
 /// Places the rooms of a draft, and adds the doors between them that are missing.
 pub fn lay_out(draft: &mut Draft, brief: &Brief, names: &mut Names) {

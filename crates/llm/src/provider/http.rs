@@ -123,7 +123,7 @@ fn exchange(agent: &ureq::Agent, url: &str, call: &Call, largest: u64, timeout: 
 fn tls() -> Result<TlsConfig, Error> {
     let found = rustls_native_certs::load_native_certs();
     if found.certs.is_empty() {
-        let say = "the system has no certificates to know servers by (on Debian: apt-get install ca-certificates)";
+        let say = "the system has no certificates to verify servers with (on Debian: apt-get install ca-certificates)";
         return Err(Error::Setup(say.into()));
     }
     let roots: Vec<Certificate<'static>> =
@@ -141,7 +141,7 @@ fn tls() -> Result<TlsConfig, Error> {
 pub(super) fn check_base(base: &str) -> Result<(), Error> {
     let setup = |why: String| Err(Error::Setup(why));
     if base.contains('@') {
-        return setup("what has a user or a password in it is no base URL; keys come from the environment".into());
+        return setup("a base URL must not contain a user or a password; keys come from the environment".into());
     }
     let shown = plain(base, 100);
     let Ok(uri) = base.parse::<Uri>() else { return setup(format!("`{shown}` is no base URL")) };
@@ -149,7 +149,7 @@ pub(super) fn check_base(base: &str) -> Result<(), Error> {
         return setup(format!("`{shown}` is no base URL"));
     }
     if !matches!(uri.scheme_str(), Some("https" | "http")) {
-        return setup(format!("`{shown}` must begin with https:// or http://"));
+        return setup(format!("`{shown}` must start with https:// or http://"));
     }
     Ok(())
 }
@@ -174,7 +174,9 @@ pub(super) fn verdict(got: &Got) -> Option<Error> {
         429 if said().contains("insufficient_quota") => Some(Error::Refused { status, said: said() }),
         429 => Some(Error::Limited { wait, said: said() }),
         408 | 425 | 500..=599 => Some(Error::Failed { status, wait, said: said() }),
-        300..=399 => Some(Error::Refused { status, said: "it sends us elsewhere, where the key shall not go".into() }),
+        300..=399 => {
+            Some(Error::Refused { status, said: "it redirects to another host, which must not receive the key".into() })
+        }
         _ => Some(Error::Refused { status, said: said() }),
     }
 }

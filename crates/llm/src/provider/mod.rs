@@ -109,12 +109,12 @@ impl Target {
         // The name becomes part of an address.
         let fits = |c: char| c.is_ascii_alphanumeric() || "._-:/@".contains(c);
         if model.is_empty() || !model.chars().all(fits) || model.contains("..") {
-            return setup(format!("`{model}` cannot be the name of a model"));
+            return setup(format!("`{model}` is not a valid model name"));
         }
         let base = base.unwrap_or(provider.base).trim_end_matches('/');
         if base.is_empty() {
             return setup(format!(
-                "{} is anything that speaks like OpenAI: --base-url says where it is",
+                "{} is any server with the OpenAI interface: give its address with --base-url",
                 provider.name
             ));
         }
@@ -142,7 +142,7 @@ impl Target {
         match key {
             None if !open => Err(Error::Setup(format!("{name} needs a key: set {}", keys.join(" or ")))),
             Some(_) if !http::is_private(&self.base) => Err(Error::Setup(format!(
-                "the key of {name} would cross the network for all to read: {} must begin with https",
+                "the key of {name} would be sent unencrypted: {} must start with https",
                 self.base
             ))),
             key => Ok(key),
@@ -356,7 +356,7 @@ mod tests {
             ("openai:", None, Err("cannot be the name of a model")),
             ("gemini:../../x", None, Err("cannot be the name of a model")),
             ("gemini:x?key=1", None, Err("cannot be the name of a model")),
-            ("openai:m", Some("ftp://a.example"), Err("must begin with https:// or http://")),
+            ("openai:m", Some("ftp://a.example"), Err("must start with https:// or http://")),
             ("openai:m", Some("https://user:secret@a.example"), Err("is no base URL")),
             ("openai:m", Some("https://a.example/?x=1"), Err("is no base URL")),
             ("openai:m", Some("not a url"), Err("is no base URL")),

@@ -40,7 +40,7 @@ impl Web {
         let base = base.trim_end_matches('/').to_owned();
         check_base(&base)?;
         if key.is_some() && !is_private(&base) {
-            let say = format!("the key would cross the network for all to read: {base} must begin with https");
+            let say = format!("the key would be sent unencrypted: {base} must start with https");
             return Err(Error::Setup(say));
         }
         let http = Http::new(&base, timeout, largest, stop)?;

@@ -79,7 +79,7 @@ fn patience_has_an_end() {
     let server = Server::new(vec![Act::fails(500, "oops")]);
     let (mut model, clock) = session(&server, Limits::default());
     let error = model.ask(&question()).unwrap_err();
-    assert_eq!(error.to_string(), "the provider has a problem (500): oops; tried 4 times");
+    assert_eq!(error.to_string(), "the provider reports an internal error (500): oops; tried 4 times");
     assert_eq!((clock.seconds().len(), server.asked().len()), (3, 4));
     // A provider that wants to be left alone for an hour is.
     let server = Server::new(vec![Act::fails(429, "later").with("retry-after", "3600")]);
@@ -134,18 +134,18 @@ fn requests_keep_their_distance() {
 fn a_budget_stops_everything() {
     let price = Some(Price { input: 1000.0, output: 5000.0 });
     for (budget, calls, said) in [
-        (Budget { calls: Some(2), ..Budget::default() }, 2, "the budget is spent: 2 of 2 calls"),
+        (Budget { calls: Some(2), ..Budget::default() }, 2, "the budget is used up: 2 of 2 calls"),
         (
             Budget { tokens: Some(250), ..Budget::default() },
             2,
-            "the budget is spent: 240 of 250 tokens, and the next question needs more",
+            "the budget is used up: 240 of 250 tokens are used, and the next question needs more",
         ),
         (
             Budget { money: Some(0.41), ..Budget::default() },
             2,
-            "the budget is spent: 0.4000 of 0.41 in money, and the next question needs more",
+            "the budget is used up: 0.4000 of 0.41 in money, and the next question needs more",
         ),
-        (Budget { calls: Some(0), ..Budget::default() }, 0, "the budget is spent: 0 of 0 calls"),
+        (Budget { calls: Some(0), ..Budget::default() }, 0, "the budget is used up: 0 of 0 calls"),
     ] {
         let server = Server::new(vec![good()]);
         let (mut session, _) = session(&server, Limits { budget, price, ..Limits::default() });
@@ -179,7 +179,7 @@ fn sessions_of_one_account_have_one_budget() {
     };
     let answers: Vec<bool> = (0..5).map(|_| ask().is_ok()).collect();
     assert_eq!(answers, [true, true, true, false, false]);
-    assert_eq!(ask().unwrap_err().to_string(), "the budget is spent: 3 of 3 calls");
+    assert_eq!(ask().unwrap_err().to_string(), "the budget is used up: 3 of 3 calls");
     assert_eq!(server.asked().len(), 3);
 }
 
@@ -233,7 +233,7 @@ fn a_folder_that_takes_nothing_is_told() {
     let server = Server::new(vec![good()]);
     let (mut model, _) = session(&server, Limits { cache: Some(file.join("cache")), ..Limits::default() });
     assert!(model.ask(&question()).is_ok());
-    assert!(model.spent().to_string().contains("; answers are not kept: cannot write "), "{}", model.spent());
+    assert!(model.spent().to_string().contains("; answers are not cached: cannot write "), "{}", model.spent());
     let limits = Limits { record: Some(file.join("tape.json")), ..Limits::default() };
     let model = Box::new(remote("openai:m", &server.url, None));
     assert!(matches!(Session::new(model, limits, Box::new(Fake::default())), Err(Error::File(_))));

@@ -138,7 +138,7 @@ fn a_new_name_is_given_in_all_programs() {
     let mut params = w.place("parts.scene", "object |shelf");
     params["newName"] = "bed".into();
     let (code, why) = w.client.refused("textDocument/rename", params);
-    assert_eq!((code, why.as_str()), (-32803, "in room.scene: there is a declaration of `bed` already"));
+    assert_eq!((code, why.as_str()), (-32803, "in room.scene: there is already a declaration of `bed`"));
     // Within a statement nobody else has a say.
     let changed = w.renamed("parts.scene", "tall(Object |thing", "bed");
     assert_eq!(changed.keys().map(String::as_str).collect::<Vec<_>>(), ["parts.scene"]);

@@ -127,7 +127,7 @@ fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_
         None => format!("{fails} in {layout}"),
     };
     let stated = row.kind.rule().is_none();
-    let mut notes: Vec<String> = row.requirements.iter().map(|r| format!("asked for by \"{r}\"")).collect();
+    let mut notes: Vec<String> = row.requirements.iter().map(|r| format!("required by \"{r}\"")).collect();
     if let Some(rule) = row.kind.rule() {
         notes.push(format!("{rule} applies to every program"));
     }

@@ -1,4 +1,4 @@
-//! Explanations as people read them: what conflicts with it, and what to do, with what that would do to the rest.
+//! Explanations as people read them: what conflicts with a constraint, what to do, and what that does to the other constraints.
 
 use crate::check::{Checked, Judged, Subject};
 use crate::explain::{RowRef, SmallestMove, move_in_words, row_in_words};
@@ -42,7 +42,7 @@ impl<'a> Words<'a> {
         let (Some(explanation), Some(program)) = (&row.explanation, &self.checked.program) else { return };
         let name = |rows: &RowRef| row_in_words(program, *rows, |index| self.line(program, index, row));
         for against in &explanation.opposing {
-            notes.push(format!("{} conflicts with it", name(against)));
+            notes.push(format!("{} conflicts with this constraint", name(against)));
         }
         if let Some(repair) = &explanation.repair {
             hints.push(format!("{}{}", move_in_words(program, repair), self.effect(repair, row, &name)));
@@ -92,7 +92,7 @@ impl<'a> Words<'a> {
             parts.push("nothing else breaks".to_owned());
         }
         if !repair.breaks.is_empty() {
-            parts.push(format!("it breaks {}", list(&repair.breaks)));
+            parts.push(format!("this violates {}", list(&repair.breaks)));
         }
         if !repair.repairs.is_empty() {
             parts.push(format!("it also repairs {}", list(&repair.repairs)));

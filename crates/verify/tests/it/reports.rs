@@ -38,7 +38,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │
        │ Help: move `nightstand` 0.38 m east: nothing else breaks; it also repairs `not collides(bed, nightstand)` (line 5) and P-COLLIDE of `bed` and `nightstand`
        │
-       │ Note: asked for by "the lamp is <above> the table"
+       │ Note: required by "the lamp is <above> the table"
     ───╯
     [V0102] Error: `bed` overlaps `nightstand` by 0.07 m
        ╭─[ room.scene:5:1 ]

@@ -314,7 +314,7 @@ impl<'a> Reader<'a> {
         }
         for range in &unsaid {
             let at = self.bytes(range.clone());
-            let reason = "a word here changes what is asked for, and no statement says it so".to_owned();
+            let reason = "a word here changes the request in a way that no statement expresses".to_owned();
             self.brief.notes.push(Note { at, reason });
         }
         unsaid.extend(ruled_out);

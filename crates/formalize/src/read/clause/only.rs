@@ -56,7 +56,8 @@ impl Reader<'_> {
             }
             None => {
                 self.brief.facts.truncate(first);
-                let reason = "of which others this does not hold is not said, so no statement says it".to_owned();
+                let reason = "the request does not say for which others this does not hold, so it became no statement"
+                    .to_owned();
                 self.brief.notes.push(Note { at: self.s.at.clone(), reason });
             }
         }

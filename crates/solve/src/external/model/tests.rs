@@ -187,7 +187,7 @@ fn no_answer_is_no_harm() {
         (vec![Err(Error::Spent("2 of 2 calls".into()))], 1, Some(Error::Spent("2 of 2 calls".into()))),
         (vec![Err(Error::Offline)], 1, Some(Error::Offline)),
         // A bad answer is sent back once in each of the five rounds.
-        (vec![malformed()], 10, Some(Error::Malformed("it has no JSON object".into()))),
+        (vec![malformed()], 10, Some(Error::Malformed("it contains no JSON object".into()))),
         (vec![malformed(), malformed(), moves(&[("lamp", [2.0, 0.0, 1.0]), ("plant", [2.0, 0.0, -1.0])])], 3, None),
         (vec![moves(&[("lamp", [1e300, 0.0, 0.0])])], 5, None),
         (vec![moves(&[("lamp", [-2.0, 2.0, 0.0]), ("plant", [0.0, 0.5, 0.0])])], 5, None),
