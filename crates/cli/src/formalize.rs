@@ -79,7 +79,8 @@ pub fn run(args: &Formalize) -> u8 {
     }
     match args.format {
         SummaryFormat::Json => {
-            let mut outcome = summary(&reading, &program);
+            let mut outcome = summary(&reading);
+            outcome["program"] = json!(program);
             outcome["diagnostics"] = json!(diagnostics);
             if let Some(asked) = &model {
                 let spent = asked.spent();
@@ -363,8 +364,8 @@ fn quoted(reading: &Reading, at: &std::ops::Range<usize>) -> String {
     }
 }
 
-/// The outcome as JSON.
-pub fn summary(reading: &Reading, program: &str) -> serde_json::Value {
+/// How a request was read, as JSON.
+pub fn summary(reading: &Reading) -> serde_json::Value {
     let clauses = reading.read.iter().map(|(at, understood)| {
         json!({ "bytes": [at.start, at.end], "text": quoted(reading, at), "understood": understood, "became": became(reading, at) })
     });
@@ -388,7 +389,6 @@ pub fn summary(reading: &Reading, program: &str) -> serde_json::Value {
         "absent": reading.absent.iter().map(|(name, _)| name).collect::<Vec<_>>(),
         "inferred": inferred(reading),
         "narrowed": told_narrowed(reading),
-        "program": program,
     })
 }
 

@@ -13,7 +13,7 @@ use scenelang_export::{Loss, embedded};
 use scenelang_synth::{Furnishings, Solved, Stage};
 use scenelang_verify::exit_code;
 use scenelang_verify::report::{self, Human};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -26,6 +26,8 @@ pub struct How<'a> {
     pub folder: &'a Path,
     /// What was made again, if that is asked for.
     pub rebuilt: Option<&'a Told>,
+    /// How the request was read, if that was done in this run.
+    pub read: Option<&'a Value>,
 }
 
 /// What was done.
@@ -64,10 +66,20 @@ pub fn tell(how: &How<'_>, done: &Done<'_>) {
             if let Some(said) = model::json(model, solved.advice.as_ref()) {
                 summary["model"] = said;
             }
-            if let Some(told) = how.rebuilt {
-                summary["rebuild"] = told.json(how.folder);
-            }
+            how.add_to(&mut summary);
             println!("{summary}");
+        }
+    }
+}
+
+impl How<'_> {
+    /// Adds how the request was read and what was made again.
+    fn add_to(&self, summary: &mut Value) {
+        if let Some(read) = self.read {
+            summary["reading"] = read.clone();
+        }
+        if let Some(told) = self.rebuilt {
+            summary["rebuild"] = told.json(self.folder);
         }
     }
 }
@@ -89,9 +101,7 @@ pub fn tell_early(how: &How<'_>, until: &str, made: Option<&Furnishings>, files:
         SummaryFormat::Json => {
             let files = files.iter().map(|p| p.display().to_string()).collect::<Vec<_>>();
             let mut summary = json!({ "format": SYNTHESIS, "ok": true, "until": until, "files": files });
-            if let Some(told) = how.rebuilt {
-                summary["rebuild"] = told.json(how.folder);
-            }
+            how.add_to(&mut summary);
             println!("{summary}");
         }
     }

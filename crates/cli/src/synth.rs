@@ -47,8 +47,9 @@ fn build(args: &Synth) -> Result<u8, u8> {
     let mut rebuild = Rebuild::of(&args.output, &stem, args.from);
     let planned = match &asked {
         Some(asked) => program(args, &path, asked, model.as_mut(), &mut rebuild)?,
-        None => None,
+        None => Program::default(),
     };
+    let Program { planned, reading: read } = planned;
     let before = if permission.taken.is_none() { rebuild.before(args.seed) } else { None };
     let names = Names { path: path.display().to_string(), layout: format!("{stem}.layout.json") };
     let (start, quality, share) = begin(args, &permission, planned.as_deref(), &names.layout);
@@ -77,7 +78,7 @@ fn build(args: &Synth) -> Result<u8, u8> {
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let asked = asked.map(|asked| reading(args, &asked, model.is_some()));
     if args.until < Step::Layout {
-        return early(args, &request, (&stem, asked), rebuild, stages);
+        return early(args, &request, (&stem, asked, read.as_ref()), rebuild, stages);
     }
     let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
         Ok(solved) => solved,
@@ -113,7 +114,7 @@ fn build(args: &Synth) -> Result<u8, u8> {
     let rebuilt = args.explain_rebuild.then_some(&rebuild.told);
     let (solved, files, taken) = (&solved, files.as_slice(), permission.taken.as_ref());
     let done = Done { solved, files, lost: &lost, seconds: &seconds, model: model.as_ref(), taken };
-    summary::tell(&How { format: args.format, folder: &args.output, rebuilt }, &done);
+    summary::tell(&How { format: args.format, folder: &args.output, rebuilt, read: read.as_ref() }, &done);
     if interrupted {
         return Ok(without_files(solved));
     }
@@ -180,14 +181,14 @@ fn program(
     request: &str,
     model: Option<&mut Asked>,
     rebuild: &mut Rebuild<'_>,
-) -> Result<Option<String>, u8> {
+) -> Result<Program, u8> {
     // Without its layout it is read again, because that is planned with it.
     let has_layout = args.until < Step::Layout || rebuild.before(args.seed).is_some();
     if rebuild.has_program(&reading(args, request, model.is_some())) && has_layout {
-        return Ok(None);
+        return Ok(Program::default());
     }
     match write(args, path, request, model).map_err(|why| fail(&why))? {
-        Begun::With(planned) => Ok(planned),
+        Begun::With(program) => Ok(program),
         Begun::Overfull(why) => Err(too_full(args.format, &why)),
     }
 }
@@ -202,7 +203,7 @@ enum Early {
 fn early(
     args: &Synth,
     request: &Request<'_>,
-    (stem, asked): (&str, Option<Inputs>),
+    (stem, asked, read): (&str, Option<Inputs>, Option<&serde_json::Value>),
     mut rebuild: Rebuild<'_>,
     mut stages: Stages,
 ) -> Result<u8, u8> {
@@ -228,7 +229,7 @@ fn early(
     let files = rebuild.write(files, Planned::default(), &inputs, may, false).map_err(|why| fail(&why))?;
     let rebuilt = args.explain_rebuild.then_some(&rebuild.told);
     let until = if made.is_some() { "assets" } else { "program" };
-    let how = How { format: args.format, folder: &args.output, rebuilt };
+    let how = How { format: args.format, folder: &args.output, rebuilt, read };
     summary::tell_early(&how, until, made, &files);
     Ok(GOOD)
 }
@@ -244,10 +245,18 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
     Ok((args.output.join("room.scene"), Some(request)))
 }
 
+/// What came of a request, if it was read in this run.
+#[derive(Default)]
+struct Program {
+    /// A layout to begin with, where one is known and no seed asks for another.
+    planned: Option<String>,
+    /// How it was read, as `formalize` tells it.
+    reading: Option<serde_json::Value>,
+}
+
 /// What is known once the program is written.
 enum Begun {
-    /// A layout to begin with, where one is known and no other is asked for by a seed.
-    With(Option<String>),
+    With(Program),
     /// Why what is asked for does not fit on a floor.
     Overfull(String),
 }
@@ -281,7 +290,8 @@ fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) ->
         return Ok(Begun::Overfull(why));
     }
     let planned = understood.layout.filter(|_| args.seed == 0);
-    Ok(Begun::With(planned.map(|layout| scenelang_layout::file::to_json(&layout, None))))
+    let planned = planned.map(|layout| scenelang_layout::file::to_json(&layout, None));
+    Ok(Begun::With(Program { planned, reading: Some(formalize::summary(&understood.reading)) }))
 }
 
 /// Whether what is known before the work will be written may be: so that it is not done in vain. The scene to go on from,
