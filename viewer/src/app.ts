@@ -118,6 +118,10 @@ export class App implements Sink {
     else this.say("This is the last room that could be shown", why);
   }
 
+  provisional(): void {
+    this.say("This room is provisional", "There is no layout file yet. Solve writes one.");
+  }
+
   select(what: string): void {
     const { object, row } = this.selection;
     const known = row === null ? object : this.data?.report.constraints[row]?.id;

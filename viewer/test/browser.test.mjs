@@ -290,6 +290,8 @@ checkOwn("a message replaces the room", async (page) => {
   await page.waitForFunction(() => !document.querySelector(".notice").hidden, PATIENCE);
   assert.match(await page.$eval(".notice", (e) => e.textContent), /format: expected/);
   assert.equal((await rowsOf(page)).length, 2);
+  await page.evaluate(() => window.postMessage({ type: "provisional" }, "*"));
+  await page.waitForFunction(() => /provisional/.test(document.querySelector(".notice").textContent), PATIENCE);
 });
 
 /** An editor around the page: notes what it is told, and answers moves by `answer`. */

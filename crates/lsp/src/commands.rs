@@ -172,7 +172,8 @@ fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<Outc
     if let Some(finding) = too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
-    let there = layout_of(job);
+    // The room that is shown without a layout is the one that is written.
+    let there = layout_of(job).or(job.provisional.as_deref().filter(|_| job.layout.is_none()));
     let last = there.and_then(|layout| layout.seed).unwrap_or(0);
     let again = if there.is_some() { last.wrapping_add(1) } else { 0 };
     let seed = seed.unwrap_or(if start == Start::Layout { last } else { again });

@@ -171,6 +171,7 @@ impl State {
             "scenelang/scene" => self.custom(id, given, scene::scene),
             "scenelang/forms" => self.custom(id, given, scene::forms),
             "scenelang/move" => self.move_object(id, given),
+            "scenelang/provisional" => self.provisional(id, given),
             "completionItem/resolve" => {
                 self.ask_pool(id, move || Ok(writing::resolve_completion(given)));
                 Ok(())

@@ -40,6 +40,8 @@ pub struct Job {
     pub layout: Option<Arc<LayoutFile>>,
     /// Where that is, or would be.
     pub layout_path: Option<PathBuf>,
+    /// Where everything is in the room that is shown as long as there is no layout.
+    pub provisional: Option<Arc<Layout>>,
     /// How it is judged.
     pub judging: Judging,
     /// Which language model is asked.
@@ -228,13 +230,14 @@ impl State {
         let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
         progress.tell(&json!({ "kind": "begin", "title": title, "cancellable": true }));
         let advisers = self.advisers(stop.clone());
+        let provisional = self.rooms.get(uri).cloned();
         let (id, events, generation) = (id.clone(), self.events(), context.generation);
         let uri = uri.to_owned();
         let thread = std::thread::Builder::new().name("job".to_owned()).stack_size(16 << 20);
         let done = progress.clone();
         let spawned = thread.spawn(move || {
             let result = guarded(|| {
-                let job = job_of(context, stop, progress, advisers)?;
+                let job = job_of(context, provisional, (stop, progress, advisers))?;
                 let outcome = work(&job)?;
                 if job.stop.is_set() { Err(Fault::Cancelled) } else { Ok(outcome) }
             });
@@ -332,7 +335,11 @@ impl State {
     }
 }
 
-fn job_of(context: Context, stop: Stop, progress: Progress, advisers: Advisers) -> Result<Job, Fault> {
+fn job_of(
+    context: Context,
+    provisional: Option<Arc<Layout>>,
+    (stop, progress, advisers): (Stop, Progress, Advisers),
+) -> Result<Job, Fault> {
     let compiled = context.snapshot.compiled()?;
     if !compiled.complete {
         return Err(Fault::Failed("the program has errors; repair these first".to_owned()));
@@ -353,6 +360,7 @@ fn job_of(context: Context, stop: Stop, progress: Progress, advisers: Advisers) 
         path,
         layout,
         layout_path,
+        provisional,
         judging,
         llm,
         files,

@@ -18,6 +18,7 @@ use crate::text::Encoding;
 use crate::trace::Trace;
 use crate::{capabilities, disk, parent};
 use futures::channel::{mpsc, oneshot};
+use scenelang_layout::Layout;
 use scenelang_llm::Account;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -119,6 +120,8 @@ pub struct State {
     pub tokens: HashMap<String, (Id, Stop)>,
     /// Drags by document.
     pub drags: HashMap<String, Drag>,
+    /// Layouts that were found for programs without one, by document.
+    pub rooms: HashMap<String, Arc<Layout>>,
     /// Reaches a language model.
     pub connect: Option<Connect>,
     /// What language models have cost since the server was started: one budget for all that is asked of them.
@@ -157,6 +160,7 @@ impl State {
             jobs: HashMap::new(),
             tokens: HashMap::new(),
             drags: HashMap::new(),
+            rooms: HashMap::new(),
             connect: setup.connect,
             account: Account::default(),
             waiting: Vec::new(),
@@ -392,6 +396,7 @@ impl State {
         let key = params.text_document.uri.as_str();
         if self.documents.close(key) {
             self.drags.remove(key);
+            self.rooms.remove(key);
             self.unpark();
             for (uri, marks) in self.board.remove(key) {
                 self.publish(&uri, &marks);

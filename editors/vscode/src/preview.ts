@@ -6,7 +6,7 @@ import * as vscode from "vscode";
 import { at, speaksOf } from "./groups.js";
 import { page } from "./page.js";
 import type { Confirmations } from "./confirm.js";
-import type { Move, Shown } from "./protocol.js";
+import type { Move, Provisional, Room, Shown } from "./protocol.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import type { Server } from "./server.js";
 import { isRevealed, reveal } from "./tree.js";
@@ -92,6 +92,8 @@ class Preview {
   private shape = "";
   private shown = false;
   private ghosts = false;
+  /** Counts what was sent: an answer to an older question is not shown. */
+  private turn = 0;
 
   constructor(
     private readonly panel: vscode.WebviewPanel,
@@ -133,16 +135,37 @@ class Preview {
     if (!this.ready) return;
     const scene = this.scenes.get(this.uri);
     const why = this.scenes.why(this.uri);
+    this.turn += 1;
     if (scene?.data == null) {
-      void this.post({ type: "stale", why: why ?? "the program has no layout yet, or does not compile" });
+      const unplaced = scene !== null && why === null && scene.layout === null && scene.objects.length > 0;
+      if (unplaced) void this.provisional(this.turn);
+      else void this.post({ type: "stale", why: why ?? "the program has no layout yet, or does not compile" });
       return;
     }
-    const { shape = "" } = scene.data;
+    this.put(scene.data);
+    if (why !== null) void this.post({ type: "stale", why });
+  }
+
+  /** Shows a room for a program without a layout, unless there is news before it is found. */
+  private async provisional(turn: number): Promise<void> {
+    void this.post({ type: "wait", why: "Finding a room for the program" });
+    try {
+      const known = this.shape === "" ? {} : { known: this.shape };
+      const { data } = await this.server.ask<Provisional>("scenelang/provisional", { uri: this.uri, ...known });
+      if (turn !== this.turn || data === null) return;
+      this.put(data);
+      void this.post({ type: "provisional" });
+    } catch (error) {
+      if (turn === this.turn) void this.post({ type: "stale", why: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  private put(room: Room): void {
+    const { shape = "" } = room;
     const known = shape !== "" && shape === this.shape;
     this.shape = shape;
-    void this.post({ type: "scenelang-data", data: known ? { ...scene.data, glb: null } : scene.data, uri: this.uri });
+    void this.post({ type: "scenelang-data", data: known ? { ...room, glb: null } : room, uri: this.uri });
     this.shown = true;
-    if (why !== null) void this.post({ type: "stale", why });
     if (this.wanted !== null) void this.post({ type: "select", what: this.wanted });
     this.wanted = null;
   }

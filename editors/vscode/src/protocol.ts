@@ -47,6 +47,9 @@ export interface Scene {
   readonly objects: readonly SceneObject[];
 }
 
+/** `scenelang/provisional` {uri, known}: a room for a program without a layout, which is solved for it and not written. */
+export type Provisional = Pick<Scene, "data" | "holds" | "total" | "constraints">;
+
 /** `scenelang/changed`: a program was judged anew. */
 export interface Changed {
   readonly uri: string;

@@ -3,7 +3,7 @@
 // SHOTS names a folder for pictures; SCENELANG names the server, else it is the newest in target.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -136,6 +136,25 @@ check("an example is a copy of one's own, with its room", async () => {
   assert.ok(existsSync(e.path("bedroom.scene")) && existsSync(e.path("bedroom.layout.json")));
   await command("notifications.clearAll");
   await shoot("example");
+});
+
+check("a program without a layout is shown all the same, and written when it is solved", async () => {
+  await command("workbench.action.closeAllEditors");
+  writeFileSync(e.path("bare.scene"), 'region r;\nr.pos <- vec3(0, 0, 0);\nr.scale <- vec3(3, 2.5, 3);\nobject chair;\nchair.category <- "chair";\nassert inside(chair, r);\n');
+  await e.api("await vscode.window.showTextDocument(vscode.Uri.file(args.file))", { file: e.path("bare.scene") });
+  await begin("scenelang.openPreview");
+  await until("the room", async () => (await rooms()) === 1, 60_000);
+  const notice = async () => {
+    const told = await Promise.all(e.page.frames().map((frame) => frame.evaluate(() => document.querySelector(".notice")?.textContent ?? "").catch(() => "")));
+    return told.some((words) => words.includes("provisional"));
+  };
+  await until("that it is provisional", notice, 60_000);
+  await shoot("provisional");
+  assert.ok(!existsSync(e.path("bare.layout.json")), "nothing is written");
+  await begin("scenelang.solveScene");
+  await until("the layout", async () => existsSync(e.path("bare.layout.json")), 120_000);
+  await until("that it is no longer provisional", async () => !(await notice()), 60_000);
+  await command("notifications.clearAll");
 });
 
 check("nothing was asked of the network, and no script failed", () => {

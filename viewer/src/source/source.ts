@@ -13,6 +13,8 @@ export interface Sink {
   wait(why: string): void;
   /** What is shown is the last that could be shown; `null`: it is right again. */
   stale(why: string | null): void;
+  /** What is shown is in no layout file yet. */
+  provisional(): void;
   /** Emphasises an object, by name, or a row of the report, by id. */
   select(what: string): void;
   /** Shows where objects would be; none: as they are. */

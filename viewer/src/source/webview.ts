@@ -1,7 +1,7 @@
 // A panel of VS Code. The extension sends rooms and answers; the page sends what is dragged and pointed at.
 //
 //   to the page:    {type: "scenelang-data", data, uri} (without the geometry where it was sent before)  {type: "moved", id, verdicts | error}  {type: "select", what}
-//                   {type: "ghost", ghosts}  {type: "wait", why}  {type: "stale", why | null}
+//                   {type: "ghost", ghosts}  {type: "wait", why}  {type: "provisional"}  {type: "stale", why | null}
 //   from the page:  {type: "ready"}  {type: "move", id, object, pos, rot, commit}  {type: "reveal", object | row}
 
 import type { Ghost } from "../ghosts.js";
@@ -25,6 +25,7 @@ type Message =
   | { readonly type: "select"; readonly what: string }
   | { readonly type: "ghost"; readonly ghosts: readonly Ghost[] }
   | { readonly type: "wait"; readonly why: string }
+  | { readonly type: "provisional" }
   | { readonly type: "stale"; readonly why: string | null };
 
 export class Webview implements Source {
@@ -74,6 +75,8 @@ export class Webview implements Source {
         return sink.ghost(message.ghosts);
       case "wait":
         return sink.wait(message.why);
+      case "provisional":
+        return sink.provisional();
       case "stale":
         return sink.stale(message.why);
       case "moved":

@@ -288,15 +288,21 @@ fn a_request_is_read_once() {
         let args = ["synth", request, "-o", "out", "--only", "glb", "--explain-rebuild", "--format", "json"];
         let ended = scenelang(folder.path(), args);
         assert_eq!(ended.code, 0, "{ended:?}");
-        serde_json::from_str::<Value>(&ended.stdout).unwrap()["rebuild"].take()
+        let mut told = serde_json::from_str::<Value>(&ended.stdout).unwrap();
+        // How it was read is told where it was read.
+        let rebuilt = told["rebuild"].take();
+        assert_eq!(told["reading"].is_object(), rebuilt["program"]["made"] == true, "{told}");
+        (rebuilt, told["reading"].take())
     };
-    let first = run("a bedroom with a bed and a desk");
+    let (first, reading) = run("a bedroom with a bed and a desk");
     assert_eq!(first["program"]["made"], true);
-    let again = run("a bedroom with a bed and a desk");
+    assert_eq!((&reading["understood"], &reading["words"]["unused"]), (&json!(1), &json!([])), "{reading}");
+    assert!(reading["narrowed"].is_array() && reading["program"].is_null(), "{reading}");
+    let (again, _) = run("a bedroom with a bed and a desk");
     for (stage, made) in [(&again["program"], false), (&again["layout"], false), (&again["export"]["glb"], false)] {
         assert_eq!(stage["made"], made, "{again}");
     }
-    let painted = run("a bedroom with a bed and a red desk");
+    let (painted, _) = run("a bedroom with a bed and a red desk");
     assert_eq!(painted["program"]["made"], true);
     let made: Vec<&String> = painted["assets"]["made"].as_object().unwrap().keys().collect();
     assert_eq!((made, &painted["layout"]["made"]), (vec![&"desk".to_owned()], &json!(false)), "{painted}");

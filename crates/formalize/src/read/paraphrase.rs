@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 21] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 23] = [
             apart,
             together,
             each_other,

@@ -1,12 +1,9 @@
 //! The scene as a picture shows it, with what holds in it; and what the program becomes, to look at.
 
-use crate::commands::count;
 use crate::disk;
 use crate::dispatch::{Context, Fault};
-use scenelang_base::FileId;
-use scenelang_export::{Scene, SceneInput, preview};
+use crate::picture::Picture;
 use scenelang_ide::{forms, symbols};
-use scenelang_verify::report;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use tower_lsp::ls_types::Uri;
@@ -35,43 +32,19 @@ pub fn scene(context: &Context, seen: &Seen) -> Result<Value, Fault> {
             "layout": null, "data": null, "holds": 0, "total": 0, "constraints": [], "objects": objects,
         }));
     };
-    let program = &judged.compiled.program;
-    let name = snapshot.sources().get(file.file).name();
-    let report = report::build(name, &judged.verdict, Some(program), snapshot.sources(), &snapshot.judging().options);
-    let rows = judged.verdict.rows.iter().zip(&report.constraints).map(|(row, listed)| {
-        let state = match row.satisfied {
-            Some(true) => "holds",
-            Some(false) => "fails",
-            None => "unknown",
-        };
-        let range = places.range(row.place);
-        json!({
-            "id": listed.id, "text": listed.text, "line": range.start.line, "uri": places.uri(row.place.file),
-            "range": range, "state": state, "margin": listed.margin, "unit": listed.unit, "objects": listed.objects,
-        })
-    });
-    let rows: Vec<Value> = rows.collect();
-    let [holds, total] = count(&judged.verdict);
-    let report = serde_json::to_value(&report).map_err(|_| Fault::Internal)?;
-    let stem = context.path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-    let files: Vec<FileId> = snapshot.sources().iter().map(|(id, _)| id).filter(|id| *id != file.file).collect();
-    let input = SceneInput {
-        name: &stem,
-        program,
+    let picture = Picture {
+        path: &context.path,
+        program: &judged.compiled.program,
         sources: snapshot.sources(),
-        files: &files,
+        about: file.file,
+        layout_file: Some(file.file),
         layout: &file.read.layout,
-        layout_text: snapshot.sources().get(file.file).text(),
-        report: &report,
+        text: snapshot.sources().get(file.file).text(),
+        verdict: &judged.verdict,
+        options: &snapshot.judging().options,
     };
-    // A layout that lacks something cannot be drawn; its rows can be listed.
-    let scene = Scene::build(&input).ok();
-    drop(report);
-    let data = scene.and_then(|scene| preview::live(scene, seen.known.as_deref()).ok());
-    let mut out = json!({ "layout": layout, "holds": holds, "total": total });
-    // The macro would copy these, and they are large.
-    out["data"] = data.unwrap_or_default();
-    out["constraints"] = rows.into();
+    let mut out = picture.value(&places, seen.known.as_deref())?;
+    out["layout"] = json!(layout);
     out["objects"] = objects.into();
     Ok(out)
 }

@@ -212,6 +212,40 @@ fn an_object_is_placed_among_the_others() {
     client.stop();
 }
 
+/// Without a layout there is a room all the same: nothing is written before someone solves, and what is added moves nothing.
+#[test]
+fn a_program_without_a_layout_has_a_room() {
+    let (folder, ..) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("new.scene", STUDY);
+    client.published(&uri);
+    let place = |room: &Value, name: &str| {
+        let objects = room["data"]["objects"].as_array().unwrap();
+        objects.iter().find(|o| o["name"] == name).map(|o| (o["pos"].clone(), o["rot"].clone())).expect("it is placed")
+    };
+    let first = client.ask("scenelang/provisional", json!({ "uri": uri }));
+    assert_eq!(first["holds"], first["total"], "{first}");
+    assert!(!folder.path().join("new.layout.json").exists());
+    client.set(&uri, &format!("{STUDY}object vase;\nvase.category <- \"vase\";\nassert inside(vase, r);\n"));
+    client.published(&uri);
+    let second = client.ask("scenelang/provisional", json!({ "uri": uri, "known": first["data"]["shape"] }));
+    assert_eq!(second["holds"], second["total"], "{second}");
+    assert_eq!(place(&second, "chair"), place(&first, "chair"));
+    place(&second, "vase");
+    // What is written is what was seen.
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    assert!(folder.path().join("new.layout.json").exists());
+    client.published(&uri);
+    let solved = client.ask("scenelang/scene", json!({ "uri": uri }));
+    assert_eq!((place(&solved, "chair"), place(&solved, "vase")), (place(&second, "chair"), place(&second, "vase")));
+    assert!(client.refused("scenelang/provisional", json!({ "uri": uri })).1.contains("has a layout"));
+    // A program with errors has none.
+    let broken = client.open("broken.scene", "object chair");
+    client.published(&broken);
+    assert!(client.refused("scenelang/provisional", json!({ "uri": broken })).1.contains("errors"));
+    client.stop();
+}
+
 #[test]
 fn the_scene_is_what_the_viewer_reads() {
     let (folder, scene, layout) = room();

@@ -1,0 +1,93 @@
+//! A program with a layout as editors show it: what holds, the room for the viewer, the plan.
+
+use crate::commands::count;
+use crate::convert::Places;
+use crate::dispatch::Fault;
+use scenelang_base::{FileId, SourceMap};
+use scenelang_export::{Scene, SceneInput, plan, preview};
+use scenelang_lang::program::Program;
+use scenelang_layout::Layout;
+use scenelang_verify::{Options, Verdict, report};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// What a picture is made of.
+pub struct Picture<'a> {
+    /// The file of the program.
+    pub path: &'a Path,
+    /// The program.
+    pub program: &'a Program,
+    /// Its files, and that of its layout.
+    pub sources: &'a SourceMap,
+    /// What the report is about: the file of the layout, or of the program where there is none.
+    pub about: FileId,
+    /// The file of the layout, if it has one.
+    pub layout_file: Option<FileId>,
+    /// Where everything is.
+    pub layout: &'a Layout,
+    /// The layout as a file.
+    pub text: &'a str,
+    /// What holds.
+    pub verdict: &'a Verdict,
+    /// How that was judged.
+    pub options: &'a Options,
+}
+
+impl Picture<'_> {
+    /// Rows and room; the room is null if a part of it cannot be drawn. `known`: the shape that the client has.
+    ///
+    /// # Errors
+    /// A mistake of ours.
+    pub fn value(&self, places: &Places<'_>, known: Option<&str>) -> Result<Value, Fault> {
+        let name = self.sources.get(self.about).name();
+        let report = report::build(name, self.verdict, Some(self.program), self.sources, self.options);
+        let rows = self.verdict.rows.iter().zip(&report.constraints).map(|(row, listed)| {
+            let state = match row.satisfied {
+                Some(true) => "holds",
+                Some(false) => "fails",
+                None => "unknown",
+            };
+            let range = places.range(row.place);
+            json!({
+                "id": listed.id, "text": listed.text, "line": range.start.line, "uri": places.uri(row.place.file),
+                "range": range, "state": state, "margin": listed.margin, "unit": listed.unit, "objects": listed.objects,
+            })
+        });
+        let rows: Vec<Value> = rows.collect();
+        let report = serde_json::to_value(&report).map_err(|_| Fault::Internal)?;
+        let data = self.scene(&report).and_then(|scene| preview::live(scene, known).ok());
+        let [holds, total] = count(self.verdict);
+        let mut out = json!({ "holds": holds, "total": total });
+        // The macro would copy these, and they are large.
+        out["data"] = data.unwrap_or_default();
+        out["constraints"] = rows.into();
+        Ok(out)
+    }
+
+    /// The plan (SVG); `None`: it cannot be drawn.
+    ///
+    /// # Errors
+    /// A mistake of ours.
+    pub fn plan(&self) -> Result<Option<String>, Fault> {
+        let name = self.sources.get(self.about).name();
+        let report = report::build(name, self.verdict, Some(self.program), self.sources, self.options);
+        let report = serde_json::to_value(&report).map_err(|_| Fault::Internal)?;
+        Ok(self.scene(&report).map(|scene| plan::svg(&scene)))
+    }
+
+    fn scene(&self, report: &Value) -> Option<Scene> {
+        let stem = self.path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
+        let files: Vec<FileId> =
+            self.sources.iter().map(|(id, _)| id).filter(|id| Some(*id) != self.layout_file).collect();
+        let input = SceneInput {
+            name: &stem,
+            program: self.program,
+            sources: self.sources,
+            files: &files,
+            layout: self.layout,
+            layout_text: self.text,
+            report,
+        };
+        Scene::build(&input).ok()
+    }
+}

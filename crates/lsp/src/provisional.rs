@@ -1,0 +1,84 @@
+//! A room for a program that has no layout yet: found in the background, shown, and kept in memory until it is written.
+
+use crate::commands::{Watch, count};
+use crate::dispatch::{Fault, params};
+use crate::jobs::Job;
+use crate::picture::Picture;
+use crate::state::State;
+use scenelang_lang::program::ObjectId;
+use scenelang_layout::{Layout, file as layout_file};
+use scenelang_synth::{Arranging, arrange, too_large};
+use serde::Deserialize;
+use serde_json::Value;
+use std::sync::Arc;
+use tower_lsp::jsonrpc::Id;
+use tower_lsp::ls_types::Uri;
+
+#[derive(Deserialize)]
+struct Asked {
+    uri: Uri,
+    /// The shape that the client has.
+    known: Option<String>,
+}
+
+impl State {
+    /// `scenelang/provisional`
+    ///
+    /// # Errors
+    /// There is no such program, or it has errors.
+    pub fn provisional(&mut self, id: &Id, given: Value) -> Result<(), Fault> {
+        let Asked { uri, known } = params(given)?;
+        let key = uri.as_str().to_owned();
+        let finish = Box::new(move |state: &mut State, id: &Id, (layout, answer): (Layout, Value)| {
+            state.rooms.insert(key, Arc::new(layout));
+            state.reply(id, Ok(answer));
+        });
+        self.begin(id, uri.as_str(), "Finding a room", None, move |job| room(job, known.as_deref()), finish)
+    }
+}
+
+/// A layout of the program, and how it is shown. What the last one has stays where it was, if all holds so.
+fn room(job: &Job, known: Option<&str>) -> Result<(Layout, Value), Fault> {
+    let program = &job.compiled.program;
+    if let Some(path) = job.layout.as_ref().and(job.layout_path.as_ref()) {
+        return Err(Fault::Failed(format!("the program has a layout: {}", path.display())));
+    }
+    if let Some(finding) = too_large(program) {
+        return Err(Fault::Failed(finding.message));
+    }
+    let before = job.provisional.as_deref();
+    let find = |locked: Vec<ObjectId>| {
+        let how = Arranging {
+            previous: before,
+            locked,
+            judge: job.judging.options,
+            stop: job.stop.clone(),
+            ..Arranging::default()
+        };
+        let arranged = arrange(program, how, None, &mut Watch(job)).ok_or(Fault::Cancelled)?;
+        let verdict = job.verdict(&arranged.outcome.layout, 0);
+        Ok::<_, Fault>((arranged.outcome.layout, verdict))
+    };
+    let there = before.map_or_else(Vec::new, |before| {
+        let objects = (0..).map(ObjectId).zip(&program.objects);
+        objects.filter(|(_, o)| before.object(&o.name).is_some()).map(|(id, _)| id).collect()
+    });
+    let (mut layout, mut verdict) = find(there)?;
+    let [holds, total] = count(&verdict);
+    if before.is_some() && holds < total {
+        (layout, verdict) = find(Vec::new())?;
+    }
+    let picture = Picture {
+        path: &job.path,
+        program,
+        sources: &job.sources,
+        about: job.main,
+        layout_file: None,
+        layout: &layout,
+        text: &layout_file::to_json(&layout, None),
+        verdict: &verdict,
+        options: &job.judging.options,
+    };
+    let answer = picture.value(&job.places(), known)?;
+    Ok((layout, answer))
+}
