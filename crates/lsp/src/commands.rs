@@ -94,12 +94,12 @@ impl State {
                 self.begin(id, uri, "Placing", token, move |job| place(job, &object), apply)
             }
             "scenelang.repairAll" => {
-                let all = |job: &Job| repair::repair(job, &Wanted::All);
+                let all = move |job: &Job| repair::repair(job, &Wanted::All, &lock);
                 self.begin(id, uri, "Repairing", token, all, apply)
             }
             _ => {
                 let line = line.ok_or_else(|| Fault::Invalid("which line is not said".to_owned()))?;
-                let one = move |job: &Job| repair::repair(job, &Wanted::Line(line));
+                let one = move |job: &Job| repair::repair(job, &Wanted::Line(line), &lock);
                 self.begin(id, uri, "Repairing", token, one, apply)
             }
         }

@@ -8,7 +8,7 @@ use crate::jobs::{Job, Outcome};
 use scenelang_base::{SourceFile, SourceMap};
 use scenelang_ide::diagnostics::margin;
 use scenelang_lang::Program;
-use scenelang_lang::program::ObjectId;
+use scenelang_lang::program::{Object, ObjectId};
 use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
 use scenelang_solve::repair::told::title;
@@ -30,14 +30,16 @@ pub enum Wanted {
     Program(u32),
 }
 
+/// So many ways are looked at where some may move what is locked.
+const AMONG_LOCKED: usize = 12;
 /// Budgets of work, small ones first, so that a change of mind is noticed between them.
 const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 
-/// Looks for the best way, with a language model first if there is one.
+/// Looks for the best way, with a language model first if there is one. What is locked, objects or arrays, is not moved.
 ///
 /// # Errors
 /// There is nothing to repair, or no way was found.
-pub fn repair(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
+pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fault> {
     if let Some(finding) = scenelang_synth::too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
@@ -56,7 +58,13 @@ pub fn repair(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
         });
     }
     let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
-    if let Some(found) = asked {
+    let locked = |found: &Alternative| {
+        let objects = found.moves.iter().filter_map(|moved| job.compiled.program.objects.get(moved.object.0 as usize));
+        let is = |o: &&Object| lock.iter().any(|name| o.name == *name || o.array.as_ref().is_some_and(|(a, _)| a == name));
+        objects.into_iter().find(is).map(|o| o.name.to_string())
+    };
+    let mut kept = None;
+    if let Some(found) = asked.filter(|found| locked(found).is_none()) {
         return offer(job, layout, &before, &found, PROPOSED);
     }
     let text = Text {
@@ -73,19 +81,23 @@ pub fn repair(job: &Job, wanted: &Wanted) -> Result<Outcome, Fault> {
         }
         job.progress.say(&format!("looking for the smallest change, circle {}", round + 1));
         let (judge, stop) = (job.judging.options, job.stop.clone());
-        let options = RepairOptions { budget, judge, stop, ..RepairOptions::default() };
+        let alternatives = if lock.is_empty() { RepairOptions::default().alternatives } else { AMONG_LOCKED };
+        let options = RepairOptions { budget, judge, stop, alternatives, ..RepairOptions::default() };
         let unjudged = |_| Fault::Failed("the layout cannot be judged as a whole; its diagnostics say why".to_owned());
         let found = look(&damaged, &which, &options).map_err(unjudged)?;
         // An assertion is weakened only by an action that says so.
         let how = if matches!(wanted, Wanted::Program(_)) { How::Numbers } else { How::Moves };
-        if let Some(chosen) = found.alternatives.iter().find(|a| a.how == how) {
+        let mut ways = found.alternatives.iter().filter(|a| a.how == how);
+        if let Some(chosen) = ways.clone().find(|a| locked(a).is_none()) {
             return offer(job, layout, &before, chosen, "");
         }
+        kept = kept.or_else(|| ways.find_map(locked));
         if let Some(contradiction) = found.contradiction.filter(|_| how == How::Moves) {
             return Err(Fault::Failed(refusal(job, &contradiction)));
         }
     }
     Err(Fault::Failed(match wanted {
+        _ if kept.is_some() => format!("each repair that was found moves `{}`, which is locked", kept.unwrap_or_default()),
         Wanted::Program(_) => "no number was found whose change would repair it".to_owned(),
         _ => "no move was found that repairs it, which proves nothing; the program may be changed instead".to_owned(),
     }))

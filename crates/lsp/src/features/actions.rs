@@ -250,6 +250,6 @@ impl State {
             state.tell("window/logMessage", json!({ "type": 3, "message": outcome.message }));
             state.reply(id, Ok(action));
         });
-        self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted), finish)
+        self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted, &[]), finish)
     }
 }

@@ -23,6 +23,12 @@ fn checking_solving_and_repairing() {
     assert_eq!((&checked["holds"], &checked["total"]), (&json!(9), &json!(12)));
     assert!(client.asked.iter().all(|m| m["method"] != "workspace/applyEdit"));
 
+    // What is locked is not moved.
+    let locked = json!({ "uri": uri, "lock": ["bed", "stand", "lamp"] });
+    let ask = json!({ "command": "scenelang.repairAll", "arguments": [locked] });
+    let (_, why) = client.refused("workspace/executeCommand", ask);
+    assert!(why.contains("which is locked"), "{why}");
+
     let repaired = run(&mut client, "scenelang.repairAll", of.clone());
     assert!(repaired["message"].as_str().unwrap().contains("stand[1]"), "{repaired}");
     let data = client.uri("room.layout.json");
