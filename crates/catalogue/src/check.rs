@@ -80,21 +80,24 @@ fn size(model: &Model, usual: Option<Vec3>) -> Option<Diagnostic> {
     let found = |say: String| Diagnostic::without_place(codes::W0702, say);
     if model.origin.distortion > DISTORTION {
         let say = format!(
-            "the size on its card has other proportions than its triangles, by a factor of {:.2}",
+            "the size on its card differs in its proportions from its mesh, by a factor of {:.2}",
             model.origin.distortion
         );
-        return Some(found(say).note("write the width, height and depth that it has with its front turned to +z"));
+        return Some(found(say).note("write its width, height and depth when its front faces +z"));
     }
     let largest = model.size.max();
     match usual.map(|usual| usual.max()) {
         Some(usual) if largest / usual > UNIT || usual / largest > UNIT => {
             let category = &model.card.category;
-            let say =
-                format!("its longest side is {} m; the usual size of \"{category}\" is {} m", shown(largest), shown(usual));
+            let say = format!(
+                "its longest side is {} m; the usual size of \"{category}\" is {} m",
+                shown(largest),
+                shown(usual)
+            );
             Some(with_unit(found(say), largest / usual))
         }
         None if !(SMALLEST..=LARGEST).contains(&largest) => {
-            Some(with_unit(found(format!("it is {} m large", shown(largest))), largest))
+            Some(with_unit(found(format!("its longest side is {} m", shown(largest))), largest))
         }
         _ => None,
     }
@@ -105,7 +108,7 @@ fn with_unit(found: Diagnostic, ratio: f64) -> Diagnostic {
     let fits = |unit: &&(f64, &str)| (ratio * unit.0).ln().abs();
     let best = UNITS.iter().min_by(|a, b| fits(a).total_cmp(&fits(b))).filter(|unit| fits(unit) < 1.0);
     let found = match best {
-        Some((_, name)) => found.note(format!("its numbers may be {name}")),
+        Some((_, name)) => found.note(format!("its numbers may be in {name}")),
         None => found,
     };
     found.note("write its size in metres on its card: `\"size\": [w, h, d]`")
@@ -113,8 +116,8 @@ fn with_unit(found: Diagnostic, ratio: f64) -> Diagnostic {
 
 fn front(model: &Model) -> Option<Diagnostic> {
     model.card.front.is_none().then(|| {
-        Diagnostic::without_place(codes::W0703, "nothing says where its front is; +z is taken for it")
-            .note("say so on its card: `\"front\": \"+z\"`, another axis, or an angle in degrees")
+        Diagnostic::without_place(codes::W0703, "nothing says where its front is; +z is assumed")
+            .note("state it on its card: `\"front\": \"+z\"`, another axis, or an angle in degrees")
     })
 }
 
@@ -125,7 +128,7 @@ fn base(model: &Model) -> Option<Diagnostic> {
     let say = format!("its lowest point is {} m {side} the origin of the file", shown(base.abs()));
     (base.abs() > most).then(|| {
         Diagnostic::without_place(codes::W0704, say)
-            .note("it is put on the floor; if it is to hang higher, place it so in the program")
+            .note("it is put on the floor; if it should hang higher, place it higher in the program")
     })
 }
 
@@ -140,7 +143,7 @@ fn parts(model: &Model) -> Option<Diagnostic> {
     };
     (origin.pieces == 1 && filled < HOLLOW && room > ROOM).then(|| {
         Diagnostic::without_place(codes::W0705, say)
-            .note(format!("{note}; make it of several convex pieces that do not share edges"))
+            .note(format!("{note}; build it from several convex pieces that do not share edges"))
     })
 }
 
@@ -160,7 +163,7 @@ fn mass(model: &Model) -> Option<Diagnostic> {
 fn licence(model: &Model) -> Option<Diagnostic> {
     model.card.licence.is_none().then(|| {
         Diagnostic::without_place(codes::W0707, "nothing says under which licence it may be used")
-            .note("say so on its card: `\"licence\": \"CC0-1.0\"`")
+            .note("state it on its card: `\"licence\": \"CC0-1.0\"`")
     })
 }
 

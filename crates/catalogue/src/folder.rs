@@ -129,7 +129,10 @@ impl Catalogue {
         self.entries.iter_mut().for_each(|entry| entry.row = features.row(entry.name()));
         let missing = self.entries.iter().filter(|entry| entry.row.is_none()).count();
         if missing > 0 {
-            let say = format!("{missing} of {} models have no features and are not found by them", self.entries.len());
+            let say = format!(
+                "{missing} of {} models have no features and are not found by feature search",
+                self.entries.len()
+            );
             self.refused.push(Refused { file: file(), finding: *features::broken(say) });
         }
     }
@@ -140,13 +143,13 @@ impl Catalogue {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let card = match self.door.read(&path.with_extension("json")) {
             Ok(bytes) if bytes.len() > limits::CARD => {
-                Err(beyond(format!("its card {stem}.json has more than {} MB", limits::CARD >> 20)))
+                Err(beyond(format!("its card {stem}.json is larger than {} MB", limits::CARD >> 20)))
             }
             Ok(bytes) => Card::read(&bytes, &stem),
             Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => Ok(Card::of_name(&stem)),
             Err(e) => {
                 let mut fault = unreadable(&e);
-                fault.message = format!("of its card {stem}.json: {}", fault.message);
+                fault.message = format!("its card {stem}.json: {}", fault.message);
                 Err(fault)
             }
         };
@@ -168,7 +171,7 @@ impl Catalogue {
     pub(crate) fn bytes(&self, entry: &Entry) -> Result<Vec<u8>, Fault> {
         let bytes = self.door.read(&self.folder.join(&entry.file)).map_err(|e| unreadable(&e))?;
         if bytes.len() > limits::BYTES {
-            return Err(beyond(format!("it has {} MB; the most is {} MB", bytes.len() >> 20, limits::BYTES >> 20)));
+            return Err(beyond(format!("it is {} MB; the maximum is {} MB", bytes.len() >> 20, limits::BYTES >> 20)));
         }
         Ok(bytes)
     }

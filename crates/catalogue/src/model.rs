@@ -63,7 +63,7 @@ impl Model {
         let (lo, hi) = raw.bounds().ok_or_else(|| fault(codes::E0704, "it has no triangles"))?;
         let extents = hi - lo;
         if extents.max() == 0.0 {
-            return Err(fault(codes::E0704, "all its triangles are without area"));
+            return Err(fault(codes::E0704, "all its triangles have zero area"));
         }
         let (scale, distortion) = scale(&extents, card.size);
         let shift = Vec3::new((lo.x + hi.x) / 2.0, lo.y, (lo.z + hi.z) / 2.0);
@@ -73,7 +73,11 @@ impl Model {
         }
         let size = (extents * scale).map(|x| x.max(THINNEST));
         if size.max().is_nan() || size.max() > limits::EXTENT {
-            return Err(beyond(format!("it is {:.0} m large; the most is {} m", size.max(), limits::EXTENT)));
+            return Err(beyond(format!(
+                "its longest side is {:.0} m; the maximum is {} m",
+                size.max(),
+                limits::EXTENT
+            )));
         }
         let triangles: Vec<[Vec3; 3]> = raw
             .patches
@@ -82,7 +86,7 @@ impl Model {
             .collect();
         let body = take_apart(&triangles);
         if body.parts.is_empty() {
-            return Err(fault(codes::E0704, "all its triangles are without area"));
+            return Err(fault(codes::E0704, "all its triangles have zero area"));
         }
         let own: Vec<Part> = parts.into_iter().map(|part| moved(part, &by, &place)).collect();
         Ok(Self {

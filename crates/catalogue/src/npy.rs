@@ -33,21 +33,21 @@ pub(crate) struct Array {
 /// Reads a file, called `name` in what is said of it.
 pub(crate) fn read(bytes: &[u8], name: &str) -> Result<Array, Fault> {
     let wrong = |why: &str| broken(format!("{name}: {why}"));
-    let rest = bytes.strip_prefix(MAGIC).ok_or_else(|| wrong("it is not a .npy file of NumPy"))?;
+    let rest = bytes.strip_prefix(MAGIC).ok_or_else(|| wrong("it is not a NumPy .npy file"))?;
     let early = || wrong("it ends early");
     let (length, begin) = match *rest {
         [1, _, a, b, ..] => (usize::from(u16::from_le_bytes([a, b])), 4),
         [2 | 3, _, a, b, c, d, ..] => (u32::from_le_bytes([a, b, c, d]) as usize, 6),
         [version, ..] if !matches!(version, 1..=3) => {
-            return Err(wrong(&format!("version {version} of the format is not read; it is 1, 2 or 3")));
+            return Err(wrong(&format!("version {version} of the format is not supported; expected 1, 2 or 3")));
         }
         _ => return Err(early()),
     };
     if length > HEADER {
-        return Err(beyond(format!("{name}: its header has {length} bytes; the most is {HEADER}")));
+        return Err(beyond(format!("{name}: its header is {length} bytes long; the maximum is {HEADER}")));
     }
     let header = rest.get(begin..begin + length).ok_or_else(early)?;
-    let header = std::str::from_utf8(header).map_err(|_| wrong("its header is no text"))?;
+    let header = std::str::from_utf8(header).map_err(|_| wrong("its header is not text"))?;
     let (kind, shape) = described(header).map_err(|why| wrong(&why))?;
     let width = match kind {
         Kind::Half => 2,
@@ -58,7 +58,7 @@ pub(crate) fn read(bytes: &[u8], name: &str) -> Result<Array, Fault> {
     let wanted = count.and_then(|n| n.checked_mul(width)).filter(|n| *n <= limits::FEATURES);
     let Some(wanted) = wanted else {
         let most = limits::FEATURES >> 20;
-        return Err(beyond(format!("{name}: it claims an array of {shape:?} numbers; the most is {most} MB")));
+        return Err(beyond(format!("{name}: it declares an array of {shape:?} numbers; the maximum is {most} MB")));
     };
     let data = &rest[begin + length..];
     if data.len() < wanted {
@@ -96,19 +96,19 @@ fn described(header: &str) -> Result<(Kind, Vec<usize>), String> {
         "<f8" => Kind::Double,
         other => {
             return Err(format!(
-                "it has numbers of the kind {other:?}; \"<f2\", \"<f4\" and \"<f8\" are read: write array.astype('<f4')"
+                "it has numbers of type {other:?}; \"<f2\", \"<f4\" and \"<f8\" are supported: use array.astype('<f4')"
             ));
         }
     };
     if !after("fortran_order")?.starts_with("False") {
-        return Err("it is in the order of Fortran; write numpy.ascontiguousarray(array)".to_owned());
+        return Err("it is in Fortran order; write numpy.ascontiguousarray(array)".to_owned());
     }
     let shape = after("shape")?.strip_prefix('(').and_then(|rest| rest.split_once(')')).map(|(inner, _)| inner);
     let extents = shape.into_iter().flat_map(|inner| inner.split(',')).map(str::trim).filter(|part| !part.is_empty());
     let shape: Option<Vec<usize>> = extents.map(|part| part.parse().ok()).collect();
     match shape {
         Some(shape) if (1..=DIMENSIONS).contains(&shape.len()) && !shape.contains(&0) => Ok((kind, shape)),
-        Some(shape) => Err(format!("its shape is {shape:?}; it is one of up to {DIMENSIONS} extents, none of them 0")),
+        Some(shape) => Err(format!("its shape is {shape:?}; expected one to {DIMENSIONS} dimensions, none of them 0")),
         None => Err("its header has no shape".to_owned()),
     }
 }
@@ -156,7 +156,7 @@ mod tests {
         let mut version = good.clone();
         version[6] = 9;
         for (bytes, code, said) in [
-            (b"PK\x03\x04".to_vec(), "E0706", "a: it is not a .npy file of NumPy"),
+            (b"PK\x03\x04".to_vec(), "E0706", "a: it is not a NumPy .npy file"),
             (good[..7].to_vec(), "E0706", "a: it ends early"),
             (good[..40].to_vec(), "E0706", "a: it ends early"),
             (good[..good.len() - 1].to_vec(), "E0706", "a: it ends early"),
@@ -165,7 +165,7 @@ mod tests {
             (file(head, &nan), "E0706", "a: row 1 has a number that is not finite"),
             (with("<f4", "<i4"), "E0706", "a: it has numbers of the kind \"<i4\""),
             (with("<f4", "|O"), "E0706", "a: it has numbers of the kind \"|O\""),
-            (with("False", "True"), "E0706", "a: it is in the order of Fortran"),
+            (with("False", "True"), "E0706", "a: it is in Fortran order"),
             (with("(2, 1)", "(2, 0)"), "E0706", "a: its shape is [2, 0]"),
             (with("(2, 1)", "(2, -1)"), "E0706", "a: its header has no shape"),
             (with("'shape'", "'form'"), "E0706", "a: its header has no `shape`"),

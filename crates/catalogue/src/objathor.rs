@@ -92,15 +92,15 @@ type Found = (Vec<Object>, Vec<(String, Fault)>);
 pub(crate) fn objects(folder: &Path, annotations: &str, door: &Door) -> Result<Found, Fault> {
     let bytes = unpacked(door.read(&folder.join(annotations)).map_err(|e| crate::faults::unreadable(&e))?)?;
     let all: BTreeMap<String, Annotation> =
-        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is no list of annotations: {e}")))?;
+        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is not a list of annotations: {e}")))?;
     if all.len() > limits::MODELS {
-        return Err(beyond(format!("it has {} objects; the most is {}", all.len(), limits::MODELS)));
+        return Err(beyond(format!("it has {} objects; the maximum is {}", all.len(), limits::MODELS)));
     }
     let (mut found, mut wrong, mut missing) = (Vec::new(), Vec::new(), 0);
     let total = all.len();
     for (uid, annotation) in all {
         if !uid.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-')) || uid.is_empty() {
-            let say = format!("it has an object whose name is no name of a file: {uid:?}");
+            let say = format!("it has an object whose name is not a valid file name: {uid:?}");
             wrong.push((annotations.to_owned(), fault(codes::E0703, say)));
             continue;
         }
@@ -109,7 +109,7 @@ pub(crate) fn objects(folder: &Path, annotations: &str, door: &Door) -> Result<F
         if let Some(ending) = READ.iter().find(is_there) {
             found.push(Object { file: at(ending), card: card(&annotation) });
         } else if let Some(ending) = NAMED.iter().find(is_there) {
-            let mut fault = broken(format!("models are not read as .{ending}"));
+            let mut fault = broken(format!("models in .{ending} files are not supported"));
             fault.notes.push(
                 "objathor writes them as .json.gz, too: `save_thor_asset_file(load_existing_thor_asset_file(DIR, UID), \
                  \"UID.json.gz\")` of its module `asset_conversion.util`"
@@ -121,7 +121,7 @@ pub(crate) fn objects(folder: &Path, annotations: &str, door: &Door) -> Result<F
         }
     }
     if missing > 0 {
-        let say = format!("of {missing} of its {total} objects there is no model below assets/");
+        let say = format!("{missing} of its {total} objects have no model below assets/");
         wrong.push((annotations.to_owned(), fault(codes::E0001, say)));
     }
     Ok((found, wrong))
@@ -169,7 +169,7 @@ impl Card {
 pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<Model, Fault> {
     let bytes = unpacked(bytes)?;
     let asset: Asset =
-        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is no model of objathor: {e}")))?;
+        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is not an objathor model: {e}")))?;
     let vectors = |points: &[Point]| -> Vec<Vec3> { points.iter().map(|p| Vec3::from(*p)).collect() };
     let positions = vectors(&asset.vertices);
     let normals = Some(vectors(&asset.normals)).filter(|n| n.len() == positions.len()).unwrap_or_default();
@@ -203,7 +203,7 @@ fn unpacked(bytes: Vec<u8>) -> Result<Vec<u8>, Fault> {
     let most = limits::UNPACKED as u64;
     let read = GzDecoder::new(bytes.as_slice()).take(most + 1).read_to_end(&mut out);
     if out.len() as u64 > most {
-        return Err(beyond(format!("unpacked it has more than {} MB", limits::UNPACKED >> 20)));
+        return Err(beyond(format!("unpacked, it is larger than {} MB", limits::UNPACKED >> 20)));
     }
     read.map_err(|e| broken(format!("it cannot be unpacked: {e}")))?;
     Ok(out)

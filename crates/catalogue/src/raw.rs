@@ -35,15 +35,15 @@ impl Raw {
     /// Numbers that are not finite, points that are too far away, indices without a point, too many triangles.
     pub fn add(&mut self, patch: Patch) -> Result<(), Fault> {
         if patch.positions.iter().flat_map(|p| p.iter()).any(|x| !x.is_finite()) {
-            return Err(broken("it has a vertex whose numbers are not finite"));
+            return Err(broken("it has a vertex whose coordinates are not finite"));
         }
         if let Some(p) = patch.positions.iter().find(|p| p.amax() > limits::EXTENT) {
             let far = p.amax();
-            return Err(beyond(format!("a vertex is {far:.1e} from the origin; the most is {}", limits::EXTENT)));
+            return Err(beyond(format!("a vertex is {far:.1e} from the origin; the maximum is {}", limits::EXTENT)));
         }
         if patch.indices.iter().any(|&i| i as usize >= patch.positions.len()) {
             return Err(broken(format!(
-                "a triangle has a corner that is none of the {} vertices",
+                "a triangle has a corner that is not one of the {} vertices",
                 patch.positions.len()
             )));
         }

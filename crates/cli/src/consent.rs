@@ -63,7 +63,7 @@ fn decide(given: &Given, environment: Option<&str>, own: &Llm, workspace: &Llm) 
         Some(CONFIGURED) => match (named(workspace), named(own)) {
             (Some(model), _) if model.starts_with("replay:") => {
                 let say = format!(
-                    "a workspace may not name a file to replay ({}); `--model replay:FILE` does",
+                    "a workspace may not name a file to replay ({}); use `--model replay:FILE`",
                     plain(&model, 100)
                 );
                 return Err(Error::Setup(say));
@@ -100,7 +100,7 @@ fn together(given: &Given, own: &Llm, workspace: &Llm, notes: &mut Vec<String>) 
             Some(asked) if given.is_none() && asked > allowed => {
                 let what = option.replace("max-", "");
                 notes.push(format!(
-                    "scenelang.toml asks for {asked} {what}; {allowed} are allowed unless you say --{option} {asked}"
+                    "scenelang.toml asks for {asked} {what}; {allowed} are allowed unless you pass --{option} {asked}"
                 ));
             }
             Some(asked) if given.is_none() => return Some(asked),
@@ -282,7 +282,7 @@ mod tests {
                 "",
                 "max_calls = 1000",
                 (100, 500_000),
-                Some("scenelang.toml asks for 1000 calls; 100 are allowed unless you say --max-calls 1000"),
+                Some("scenelang.toml asks for 1000 calls; 100 are allowed unless you pass --max-calls 1000"),
             ),
             (None, "max_calls = 2000", "max_calls = 1000", (1000, 500_000), None),
             (
@@ -290,7 +290,7 @@ mod tests {
                 "max_calls = 20",
                 "max_calls = 1000",
                 (20, 500_000),
-                Some("scenelang.toml asks for 1000 calls; 20 are allowed unless you say --max-calls 1000"),
+                Some("scenelang.toml asks for 1000 calls; 20 are allowed unless you pass --max-calls 1000"),
             ),
             (Some(3000), "max_calls = 20", "max_calls = 1000", (3000, 500_000), None),
             (Some(3), "max_calls = 20", "max_tokens = 1000", (3, 1000), None),
@@ -299,7 +299,7 @@ mod tests {
                 "max_calls = 0",
                 "max_calls = 1",
                 (0, 500_000),
-                Some("scenelang.toml asks for 1 calls; 0 are allowed unless you say --max-calls 1"),
+                Some("scenelang.toml asks for 1 calls; 0 are allowed unless you pass --max-calls 1"),
             ),
         ] {
             let flags = Given { model: Some("ollama:m".to_owned()), max_calls: given, ..Given::default() };

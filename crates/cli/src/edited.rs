@@ -115,7 +115,7 @@ fn chosen(scenes: Vec<Found>) -> Result<Option<Taken>, String> {
         && let Some(other) = others.iter().find(|other| layout(other) != layout(first))
     {
         return Err(format!(
-            "{} and {} were both edited, and things stand elsewhere in each, so it is not known which to take; move one of \
+            "{} and {} were both edited, and their objects are in different places, so it is not clear which one to use; move one of \
              them to another folder, from where `scenelang import` can read it",
             first.name, other.name
         ));

@@ -127,7 +127,7 @@ fn text(requests: &Requests, worst: usize) -> String {
             let _ = writeln!(out, "    {miss}");
         }
         if !case.reading.silent.is_empty() {
-            let _ = writeln!(out, "    lost without a word: {}", case.reading.silent.join(", "));
+            let _ = writeln!(out, "    lost without a note: {}", case.reading.silent.join(", "));
         }
     }
     out

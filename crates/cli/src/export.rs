@@ -160,15 +160,15 @@ fn layout_of(room: &CheckedLayout, taken: &Taken, force: bool) -> Result<Option<
     // Of what was edited by itself nobody knows what it was before.
     if !taken.is_rewritten && says(&was.layout) != says(&old.layout) {
         return Err(format!(
-            "{path} is not the layout any more that {name} was exported from, so what was edited there cannot be taken into \
-             it; `scenelang import {name} -o FOLDER` writes the layout of the scene, use --overwrite to discard the edits"
+            "{path} is no longer the layout that {name} was exported from, so the edits made there cannot be merged into \
+             it; use `scenelang import {name} -o FOLDER` to write the layout of the scene, or --overwrite to discard the edits"
         ));
     }
     let is_ours = replace::is_ours(&room.path, room.text());
     if !is_ours && !force {
         return Err(format!(
-            "what was edited in {name} would have to be written to {path}, which was edited, too, or which scenelang did not \
-             write, so it stays as it is; --force writes to it"
+            "the edits made in {name} would have to be written to {path}, which was itself edited or which scenelang did not \
+             write, so it is left unchanged; use --force to write to it"
         ));
     }
     let layout = Layout { scene: old.layout.scene.clone(), ..now.layout };

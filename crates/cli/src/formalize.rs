@@ -182,19 +182,19 @@ pub fn understand(
     let objects: usize = reading.draft.things.iter().map(|thing| thing.count).sum();
     let tried = tried && objects <= scenelang_solve::MOST_OBJECTS;
     if objects > scenelang_solve::MOST_OBJECTS {
-        diagnostics.push(format!("{objects} objects are too many to try whether there is a layout"));
+        diagnostics.push(format!("{objects} objects are too many to check whether a layout exists"));
     }
     let (end, layout) = if tried { try_out(&mut reading, &stop) } else { (Tried::Holds, None) };
     let holds = end == Tried::Holds;
     let overfull = if end == Tried::Overfull { scenelang_formalize::overfull(&reading.draft) } else { None };
     if end == Tried::Spent {
         diagnostics.push(
-            "the trial ended before a layout was found in which all of it holds: it takes a bounded amount of work; \
-             `scenelang solve` looks longer, and says what is in the way"
+            "the trial ended before it found a layout in which everything holds, because its amount of work is limited; \
+             `scenelang solve` searches longer and says what is in the way"
                 .to_owned(),
         );
     } else if let Some(why) = overfull.as_ref() {
-        diagnostics.push(format!("{why}; no layout was looked for"));
+        diagnostics.push(format!("{why}; no layout was searched for"));
     } else if !holds && time.is_some() && stop.is_set() {
         diagnostics.push("the time limit was reached before a layout was found that satisfies everything".to_owned());
     } else if !holds {
@@ -211,7 +211,7 @@ pub fn try_out(reading: &mut Reading, stop: &Stop) -> (Tried, Option<Layout>) {
     if reading.nothing {
         return (Tried::Holds, None);
     }
-    let progress = Progress::new("trying whether there is a layout");
+    let progress = Progress::new("checking whether a layout exists");
     let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
     let tried = rehearsed(&mut reading.draft, stop, &mut follow);
     reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));

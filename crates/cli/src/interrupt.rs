@@ -77,7 +77,7 @@ fn told(why: &str, written: &[std::path::PathBuf]) -> String {
         more => format!(" and {more} more"),
     };
     names.truncate(NAMED);
-    format!("{why}; these files are new, all others as they were: {}{more}", names.join(", "))
+    format!("{why}; these files are new; all others are unchanged: {}{more}", names.join(", "))
 }
 
 /// From here on, Ctrl-C is for this command to see.

@@ -19,8 +19,8 @@ pub fn listed(permissions: &[Permission]) -> String {
             Some(Overlap { objects: [a, b], depth, others }) => {
                 let more = match others {
                     0 => String::new(),
-                    1 => ", and 1 pair that is not as deep".to_owned(),
-                    n => format!(", and {n} pairs that are not as deep"),
+                    1 => ", and 1 more pair with a smaller overlap".to_owned(),
+                    n => format!(", and {n} more pairs with smaller overlaps"),
                 };
                 format!("hides an overlap of {a} and {b} by {depth:.3} m{more}")
             }

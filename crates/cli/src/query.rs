@@ -156,7 +156,7 @@ fn opening(joint: &Opens) -> String {
     let Opens { name, motion, limits: [from, to], useful } = joint;
     let amount = |value: f64| if motion == "hinge" { format!("{value:.0}°") } else { format!("{} m", metres(value)) };
     let verb = if motion == "hinge" { "turns" } else { "slides" };
-    let useful = useful.map_or_else(String::new, |useful| format!("; of use from {} on", amount(useful)));
+    let useful = useful.map_or_else(String::new, |useful| format!("; useful from {} on", amount(useful)));
     format!("opens: `{name}` {verb} from {} to {}{useful}", amount(*from), amount(*to))
 }
 

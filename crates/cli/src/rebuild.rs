@@ -65,7 +65,7 @@ impl<'a> Rebuild<'a> {
         let why = match (anew, same, is_there) {
             (Some(why), ..) => vec![why],
             (None, Some(_), true) => Vec::new(),
-            (None, Some(_), false) => vec!["the program is not there as it was written".to_owned()],
+            (None, Some(_), false) => vec!["the program is missing or was changed since it was written".to_owned()],
             (None, None, _) if self.known.program.is_empty() => vec!["it was not written before".to_owned()],
             (None, None, _) => vec!["the request, or how it is read, has changed".to_owned()],
         };
@@ -127,7 +127,7 @@ impl<'a> Rebuild<'a> {
             (None, None, None) => vec!["it was not written before".to_owned()],
             (None, None, Some(before)) => {
                 let why = rebuild::of_layout(&before.inputs, &state.inputs);
-                let is_cut = || vec!["it is not there as it was written, or was not finished".to_owned()];
+                let is_cut = || vec!["it is missing, was changed since it was written, or was not finished".to_owned()];
                 if why.is_empty() { is_cut() } else { why }
             }
         };

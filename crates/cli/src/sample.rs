@@ -88,7 +88,7 @@ impl Run<'_> {
         for name in pieces.iter().map(file_of).chain([REPORT.to_owned()]) {
             replace::permit(&folder.join(name), &inputs, args.force)?;
         }
-        let progress = Progress::new("looking for layouts to begin at");
+        let progress = Progress::new("looking for layouts to start from");
         let settings = Settings {
             seed: args.seed,
             judge: self.judge,

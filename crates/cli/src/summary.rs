@@ -48,7 +48,7 @@ pub fn tell(how: &How<'_>, done: &Done<'_>) {
     match how.format {
         SummaryFormat::Human => {
             for line in &moved {
-                eprintln!("note: so that all holds: {}", scenelang_base::plain::line(line));
+                eprintln!("note: so that everything holds: {}", scenelang_base::plain::line(line));
             }
             human(how, solved, files, seconds);
             eprint!("{}", formats::notes(lost));
@@ -164,8 +164,8 @@ fn shown(written: &[PathBuf], folder: &Path) -> Vec<PathBuf> {
     out
 }
 
-fn json(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)]) -> serde_json::Value {
-    let stages: serde_json::Map<String, serde_json::Value> =
+fn json(solved: &Solved, written: &[PathBuf], seconds: &[(Stage, Duration)]) -> Value {
+    let stages: serde_json::Map<String, Value> =
         seconds.iter().map(|(s, t)| (s.name().to_owned(), t.as_secs_f64().into())).collect();
     json!({
         "format": SYNTHESIS,

@@ -45,11 +45,10 @@ fn build(args: &Synth) -> Result<u8, u8> {
     let furniture = furniture.map_err(|why| fail(&why))?;
     let mut model = Asked::new(&args.model, &settings.llm, args.seed).map_err(|error| fail(&error.to_string()))?;
     let mut rebuild = Rebuild::of(&args.output, &stem, args.from);
-    let planned = match &asked {
+    let Program { planned, reading: read } = match &asked {
         Some(asked) => program(args, &path, asked, model.as_mut(), &mut rebuild)?,
         None => Program::default(),
     };
-    let Program { planned, reading: read } = planned;
     let before = if permission.taken.is_none() { rebuild.before(args.seed) } else { None };
     let names = Names { path: path.display().to_string(), layout: format!("{stem}.layout.json") };
     let (start, quality, share) = begin(args, &permission, planned.as_deref(), &names.layout);

@@ -34,7 +34,7 @@ pub fn run(model: &Path) -> Result<Trial, String> {
     let python = std::env::var_os(PYTHON).unwrap_or_else(|| OsString::from("python3"));
     let shown = python.to_string_lossy().into_owned();
     let command =
-        || format!("--try needs Python with the package `mujoco`; {PYTHON} names another Python than {shown}");
+        || format!("--try needs Python with the package `mujoco`; set {PYTHON} to use a Python other than {shown}");
     let ended = Command::new(&python)
         .args([OsString::from("-c"), SCRIPT.into(), model.into(), SECONDS.into()])
         .stdin(Stdio::null())

@@ -73,7 +73,7 @@ impl Truth<'_> {
     fn why(&self, statement: &Statement) -> Option<String> {
         let unasked = statement.things.iter().find(|t| !self.things.contains(&Some(**t)) && !self.opening(**t));
         if let Some(thing) = unasked {
-            return Some(format!("of {}, which is not asked for", self.told.things[*thing].name));
+            return Some(format!("of {}, which was not requested", self.told.things[*thing].name));
         }
         statement
             .said
@@ -92,7 +92,7 @@ impl Truth<'_> {
         let known = |region| self.rooms.contains(&Some(region));
         let asked = self.expect.connections.iter().any(|c| self.ends(&c.between) == Some((a, b)));
         let judged = known(a) && known(b) && !said.denied;
-        (judged && !asked).then(|| "a way between rooms that have none".to_owned())
+        (judged && !asked).then(|| "a connection between rooms that should have none".to_owned())
     }
 
     fn room(&self, said: &Said) -> Option<String> {
@@ -126,18 +126,18 @@ impl Truth<'_> {
             return None;
         }
         if holds(a, b, same, !said.denied) {
-            return Some(format!("{}, and the contrary is asked for", told()));
+            return Some(format!("{}, and the contrary was requested", told()));
         }
         if said.denied || family(&said.name).is_none() {
             return None;
         }
         if holds(a, b, opposite, false) {
-            return Some(format!("{}, and the opposite is asked for", told()));
+            return Some(format!("{}, and the opposite was requested", told()));
         }
         let turned = a != b && holds(b, a, same, false) && !holds(b, a, opposite, false);
         // Two things may well face each other.
         let turned = turned && !["facing", "looksAt"].contains(&said.name.as_str());
-        turned.then(|| format!("{}, and the other way round is asked for", told()))
+        turned.then(|| format!("{}, and the other way round was requested", told()))
     }
 
     /// The regions of two rooms of the ground truth, in order.

@@ -58,7 +58,7 @@ impl fmt::Display for Lost {
                 let more = if more == 0 { String::new() } else { format!(", and {more} more pairs") };
                 write!(f, "permissions to overlap are lost: {}{more} may be pushed apart", named.join(", "))
             }
-            Self::Physics => f.write_str("masses are lost, and which objects are fixed and which are loose"),
+            Self::Physics => f.write_str("masses are lost, and so is the distinction between fixed and loose objects"),
             Self::Lights(1) => f.write_str("the light is lost"),
             Self::Lights(n) => write!(f, "the {n} lights are lost"),
             Self::Meshes => f.write_str("objects are shown as their solids, without rounded edges and small details"),

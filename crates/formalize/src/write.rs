@@ -319,7 +319,7 @@ impl Writer<'_> {
         if self.draft.notes.is_empty() {
             return;
         }
-        self.heading("These words of the request became no statement");
+        self.heading("These words of the request are not expressed by any statement");
         for (at, note) in self.draft.notes.iter().enumerate() {
             let name = self.free_name(&[&format!("{UNMET}{}", at + 1), &format!("{UNMET}_{}", at + 1)]);
             let words = self.draft.request.get(note.at.clone()).unwrap_or("");

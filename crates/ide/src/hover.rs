@@ -90,7 +90,7 @@ fn of_name(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<String>, Can
             format!("{}\n\n{}{value}", code(&format!("{owner}.{} : {}", p.name, p.ty.name())), p.doc)
         }),
         Symbol::AllRooms => {
-            Some(format!("{}\n\nall regions that are rooms, without those outdoors", code("Regions rooms")))
+            Some(format!("{}\n\nall regions that are rooms, except those outdoors", code("Regions rooms")))
         }
         Symbol::AllObjects => Some(format!("{}\n\nall objects, including elements of arrays", code("Objects objects"))),
         Symbol::Component | Symbol::Side => None,

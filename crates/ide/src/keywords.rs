@@ -2,10 +2,10 @@
 
 /// Words with what they say and how they are written; `@req` is a word, too.
 const WORDS: &[(&str, &str, &str)] = &[
-    ("object", "declares an object, or with a number an array of objects", "object chair[4];"),
+    ("object", "declares an object or, with a number, an array of objects", "object chair[4];"),
     ("region", "declares a region: a room, or part of one, or a place outdoors", "region kitchen;"),
     ("assert", "states what must hold in every layout", "assert near(chair, desk, 0.5);"),
-    ("prefer", "states a preference: it holds as far as all assertions allow", "prefer bed.pos.x > 1 weight 2;"),
+    ("prefer", "states a preference: it is met as far as the assertions allow", "prefer bed.pos.x > 1 weight 2;"),
     (
         "weight",
         "sets how much a preference counts compared with others; 1 by default",
@@ -48,7 +48,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("objects", "all objects of the program, including elements of arrays", "forall o in objects: o.top < 2"),
     (
         "@req",
-        "names the requirement that the next statement answers, in the words of the request",
+        "names the requirement that the next statement implements, in the words of the request",
         "@req(\"a desk by the window\")",
     ),
     ("Number", "declares a number that the layout chooses, unless one is assigned", "Number space;"),

@@ -24,7 +24,7 @@ pub fn renamable(snapshot: &Snapshot, offset: u32) -> Result<Option<TextRange>, 
 /// [`Cancelled`]: the text has changed.
 pub fn rename(snapshot: &Snapshot, offset: u32, new: &str) -> Result<Result<Vec<Edit>, String>, Cancelled> {
     let Some(name) = names::name_at(snapshot, snapshot.main(), offset)?.filter(|o| o.symbol.is_own()) else {
-        return Ok(Err("there is no name here that can be changed".to_owned()));
+        return Ok(Err("nothing here can be renamed".to_owned()));
     };
     let old = snapshot.slice(name.range.in_file(snapshot.main())).to_owned();
     edits(snapshot, snapshot.main(), &name.symbol, &old, new)

@@ -221,7 +221,7 @@ pub(crate) fn array_size(stmt: &Stmt, id: ExprId) -> Result<u32, BadSize> {
             format!("an array of {n} elements is too large; at most {MAX_ARRAY}")
         }
         ExprKind::Number(n, None) => return Ok(n as u32),
-        _ => "the size of an array is a whole number written as such, at least 1".into(),
+        _ => "the size of an array must be a whole number literal of at least 1".into(),
     };
     Err(BadSize { message, assumed: ASSUMED })
 }

@@ -166,17 +166,17 @@ built_ins! {
             (Object, Side, Number) -> Bool, "a, side, depth", "The space on that side of a is free to that depth.";
         }
         Opens opens Plain {
-            (Object) -> Bool, "a", "Doors, lids and drawers of a open as far as is of use.";
-            (Object, Degree) -> Bool, "a, angle", "Everything of a that turns opens by that angle.";
+            (Object) -> Bool, "a", "The doors, lids and drawers of a open far enough to be useful.";
+            (Object, Degree) -> Bool, "a, angle", "All hinged parts of a open by that angle.";
         }
         Opening opening Plain {
-            (Object) -> Degree, "a", "The angle by which everything of a that turns can be opened.";
+            (Object) -> Degree, "a", "The angle by which all hinged parts of a can be opened.";
         }
         Slides slides Plain {
-            (Object, Number) -> Bool, "a, distance", "Everything of a that slides comes out by that distance.";
+            (Object, Number) -> Bool, "a, distance", "All sliding parts of a slide out by that distance.";
         }
         Sliding sliding Plain {
-            (Object) -> Number, "a", "The distance by which everything of a that slides comes out, in metres.";
+            (Object) -> Number, "a", "The distance by which all sliding parts of a slide out, in metres.";
         }
     }
 }
@@ -262,20 +262,20 @@ pub const OBJECT_PROPERTIES: &[Property] = properties! {
     scale Vector3 true "Full extents: width, height, depth (metres).";
     color Color true "Its colour, as text.";
     material Material true "Its material, as text.";
-    features String true "What else is to be said of it, as text.";
-    category String true "What kind of thing it is, as text.";
-    role String true "What it is for, as text: `seat`, `table`, …; unless assigned, what its category says.";
-    dimensions Vector3 true "The size asked for: width, height, depth (metres).";
+    features String true "Its other features, as text.";
+    category String true "What kind of object it is, as text.";
+    role String true "What it is for, as text: `seat`, `table`, …; unless assigned, it follows from its category.";
+    dimensions Vector3 true "The requested size: width, height, depth (metres).";
     center Vector3 false "Centre of its box.";
     size Vector3 false "The same as scale.";
     top Number false "Height of its highest point.";
     bottom Number false "Height of its lowest point.";
-    surface Number false "Height of the surface that carries things.";
-    front Vector3 false "Where it faces: a unit vector.";
-    right Vector3 false "Its own right: a unit vector.";
-    up Vector3 false "Its own up: a unit vector.";
-    min Vector3 false "Least corner of its world-axis box.";
-    max Vector3 false "Greatest corner of its world-axis box.";
+    surface Number false "Height of the surface that other objects stand on.";
+    front Vector3 false "The direction that it faces: a unit vector.";
+    right Vector3 false "The direction to its right: a unit vector.";
+    up Vector3 false "Its upward direction: a unit vector.";
+    min Vector3 false "Minimum corner of its box along the world axes.";
+    max Vector3 false "Maximum corner of its box along the world axes.";
 };
 
 /// The set of all regions that are rooms, where no object or region is called so.
@@ -287,12 +287,12 @@ pub const STATIC_PROPERTIES: [&str; 5] = ["category", "color", "material", "feat
 /// Properties of regions.
 pub const REGION_PROPERTIES: &[Property] = properties! {
     pos Vector3 true "Centre of the floor of its rectangle.";
-    rot Rotation true "Orientation; only the turn about y counts.";
+    rot Rotation true "Orientation; only the rotation about y counts.";
     scale Vector3 true "Full extents: width, height, depth (metres).";
     vertices Polygon true "The floor polygon.";
     color Color true "Colour of the walls.";
     material Material true "Material of the walls.";
-    features String true "What else is to be said of it; \"outdoor\": no walls, no ceiling.";
+    features String true "Its other features; \"outdoor\": no walls, no ceiling.";
     floorColor Color true "Colour of the floor.";
     floorMaterial Material true "Material of the floor.";
     wallColor Color true "Colour of the walls.";

@@ -60,7 +60,7 @@ pub fn decode(
     if bytes.len() > MAX_FILE {
         let id = sources.put(SourceFile::new(name, path, ""));
         let message =
-            format!("{name} has {} MB; files of more than {} MB are not read", bytes.len() >> 20, MAX_FILE >> 20);
+            format!("{name} is {} MB; files larger than {} MB are not read", bytes.len() >> 20, MAX_FILE >> 20);
         return Err(Box::new((id, Diagnostic::new(codes::E0006, TextRange::empty(0).in_file(id), message))));
     }
     match String::from_utf8(bytes) {
@@ -90,7 +90,7 @@ pub fn plain(e: &io::Error) -> String {
         // An error of ours says it itself.
         _ if e.get_ref().is_some() => e.to_string(),
         io::ErrorKind::NotFound => "there is no such file".into(),
-        io::ErrorKind::PermissionDenied => "it may not be read".into(),
+        io::ErrorKind::PermissionDenied => "permission denied".into(),
         io::ErrorKind::IsADirectory => "it is a directory".into(),
         _ => e.to_string(),
     }

@@ -95,7 +95,11 @@ impl Template {
             rest = after;
         }
         let values = template.pieces.iter().filter(|p| matches!(p, Piece::Value { .. })).count();
-        if values == 1 { Ok(template) } else { Err(format!("{values} times `{{value}}`, where there must be one")) }
+        if values == 1 {
+            Ok(template)
+        } else {
+            Err(format!("{values} occurrences of `{{value}}`, where exactly one is needed"))
+        }
     }
 
     fn text(&mut self, text: &str) -> Result<(), String> {
@@ -115,7 +119,7 @@ impl Template {
         }
         let (sum, plain) = match inside.split_once(':') {
             Some((sum, how)) if how.trim() == "plain" => (sum, true),
-            Some((_, how)) => return Err(format!("`{}`, where only `plain` can stand", how.trim())),
+            Some((_, how)) => return Err(format!("`{}`, where only `plain` is allowed", how.trim())),
             None => (inside, false),
         };
         let sum = sum.trim();
@@ -140,11 +144,11 @@ impl Template {
                     terms.push((minus, Term::Number(word.into())));
                     expected = false;
                 }
-                _ => return Err(format!("`{{{inside}}}`, which is no name and no sum")),
+                _ => return Err(format!("`{{{inside}}}`, which is neither a name nor a sum")),
             }
         }
         if values != 1 || expected {
-            return Err(format!("`{{{inside}}}`, which is no name and no sum with `value`"));
+            return Err(format!("`{{{inside}}}`, which is neither a name nor a sum with `value`"));
         }
         self.pieces.push(Piece::Value { terms, plain });
         Ok(())
@@ -242,16 +246,16 @@ mod tests {
     #[test]
     fn what_is_no_template_says_why() {
         for (text, why) in [
-            ("{a} is far", "0 times `{value}`, where there must be one"),
-            ("{value} and {value}", "2 times `{value}`, where there must be one"),
+            ("{a} is far", "0 occurrences of `{value}`, where exactly one is needed"),
+            ("{value} and {value}", "2 occurrences of `{value}`, where exactly one is needed"),
             ("{value", "a `{` without its `}`"),
             ("value} {value}", "a `}` without its `{`"),
-            ("{value + }", "`{value + }`, which is no name and no sum with `value`"),
-            ("{a + d} {value}", "`{a + d}`, which is no name and no sum with `value`"),
-            ("{value * 2}", "`{value * 2}`, which is no name and no sum"),
-            ("{- value}", "`{- value}`, which is no name and no sum"),
-            ("{value:cm}", "`cm`, where only `plain` can stand"),
-            ("{}", "`{}`, which is no name and no sum with `value`"),
+            ("{value + }", "`{value + }`, which is neither a name nor a sum with `value`"),
+            ("{a + d} {value}", "`{a + d}`, which is neither a name nor a sum with `value`"),
+            ("{value * 2}", "`{value * 2}`, which is neither a name nor a sum"),
+            ("{- value}", "`{- value}`, which is neither a name nor a sum"),
+            ("{value:cm}", "`cm`, where only `plain` is allowed"),
+            ("{}", "`{}`, which is neither a name nor a sum with `value`"),
         ] {
             assert_eq!(Template::parse(text).unwrap_err(), why, "{text}");
         }

@@ -29,8 +29,10 @@ pub enum NotSimple {
 impl fmt::Display for NotSimple {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFew(n) => write!(f, "a floor polygon needs at least 3 vertices, here are {n}"),
-            Self::TooMany(n) => write!(f, "a floor polygon of {n} vertices is too large, {MAX_CORNERS} are allowed"),
+            Self::TooFew(n) => write!(f, "a floor polygon needs at least 3 vertices, but there are {n}"),
+            Self::TooMany(n) => {
+                write!(f, "a floor polygon of {n} vertices is too large; at most {MAX_CORNERS} are allowed")
+            }
             Self::Repeated(i) => write!(f, "vertex {i} of the floor polygon repeats the one before"),
             Self::Flat => write!(f, "all vertices of the floor polygon lie on one line"),
             Self::Spike(i) => write!(f, "the floor polygon turns back on itself at vertex {i}"),

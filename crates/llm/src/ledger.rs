@@ -157,7 +157,9 @@ impl Spent {
             room = room.min(if left > 0.0 { fits as u64 } else { 0 });
             if room == 0 {
                 let spent_so_far = price.of(&self.usage);
-                return spent(format!("{spent_so_far:.4} of {most} in money, and the next question needs more"));
+                return spent(format!(
+                    "{spent_so_far:.4} of the money budget of {most} is spent, and the next question needs more"
+                ));
             }
         }
         Ok(room)

@@ -53,7 +53,7 @@ pub fn advised(job: &Job, layout: &Layout, targets: &[RowRef]) -> Result<Option<
     solve_with(&problem, &options, &mut steps, &mut watch);
     drop(steps);
     if let Some(error) = &heard.model.tally().failed {
-        job.progress.log(&format!("the language model did not help to the end: {error}"));
+        job.progress.log(&format!("the language model stopped before it was done: {error}"));
     }
     if job.stop.is_set() {
         return Err(Fault::Cancelled);

@@ -90,7 +90,8 @@ impl State {
                 self.begin(id, uri, "Looking for alternatives", token, list, answer)
             }
             "scenelang.place" => {
-                let object = object.ok_or_else(|| Fault::Invalid("which object is not said".to_owned()))?;
+                let object =
+                    object.ok_or_else(|| Fault::Invalid("the command does not say which object".to_owned()))?;
                 self.begin(id, uri, "Placing", token, move |job| place(job, &object), apply)
             }
             "scenelang.repairAll" => {
@@ -98,7 +99,7 @@ impl State {
                 self.begin(id, uri, "Repairing", token, all, apply)
             }
             _ => {
-                let line = line.ok_or_else(|| Fault::Invalid("which line is not said".to_owned()))?;
+                let line = line.ok_or_else(|| Fault::Invalid("the command does not say which line".to_owned()))?;
                 let one = move |job: &Job| repair::repair(job, &Wanted::Line(line), &lock);
                 self.begin(id, uri, "Repairing", token, one, apply)
             }
@@ -145,8 +146,9 @@ impl Hold {
             return Ok(Vec::new());
         }
         let layout = layout_of(job);
-        let layout =
-            layout.ok_or_else(|| Fault::Failed("there is no layout to keep anything of; solve first".to_owned()))?;
+        let layout = layout.ok_or_else(|| {
+            Fault::Failed("there is no layout whose objects could be kept in place; solve first".to_owned())
+        })?;
         if let Some(name) =
             self.lock.iter().chain(&self.only).find(|name| !program.objects.iter().any(|o| named(name, o)))
         {

@@ -64,9 +64,9 @@ impl State {
         let key = uri.as_str().to_owned();
         let finite = pos.iter().chain(rot.iter().flatten()).all(|x| x.is_finite() && x.abs() <= layout_file::LARGEST);
         if !finite {
-            return Err(Fault::Invalid("a position is three numbers within a million".to_owned()));
+            return Err(Fault::Invalid("a position is three numbers from -1000000 to 1000000".to_owned()));
         }
-        let context = self.context(&key).ok_or_else(|| Fault::Invalid(format!("{key} is no open program")))?;
+        let context = self.context(&key).ok_or_else(|| Fault::Invalid(format!("{key} is not an open program")))?;
         let generation = context.generation;
         let Some(layout) = context.snapshot.layout_file().filter(|l| l.read.usable) else {
             return Err(Fault::Failed("there is no layout in which it could be moved".to_owned()));
@@ -109,7 +109,7 @@ impl State {
                 Ok(())
             });
         });
-        spawned.map_err(|e| Fault::Failed(format!("no thread for it: {e}")))?;
+        spawned.map_err(|e| Fault::Failed(format!("cannot start a thread: {e}")))?;
         let _ = steps.send(unsent);
         self.drags.insert(key, Drag { generation, steps });
         Ok(())

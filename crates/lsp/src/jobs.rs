@@ -89,7 +89,7 @@ impl Job {
         // Where layouts are is said by a setting, which may come with the workspace; it does not say to overwrite other files.
         let known = path.to_string_lossy().ends_with(".layout.json");
         if !known && self.layout.as_ref().is_some_and(|l| !l.read.usable) {
-            return Err(Fault::Failed(format!("{} is no layout, and is left alone", path.display())));
+            return Err(Fault::Failed(format!("{} is not a layout and is left unchanged", path.display())));
         }
         let mut layout = layout.clone();
         if layout.scene.is_none() {
@@ -219,7 +219,7 @@ impl State {
         work: impl FnOnce(&Job) -> Result<T, Fault> + Send + 'static,
         finish: Finish<T>,
     ) -> Result<(), Fault> {
-        let context = self.context(uri).ok_or_else(|| Fault::Invalid(format!("{uri} is no open program")))?;
+        let context = self.context(uri).ok_or_else(|| Fault::Invalid(format!("{uri} is not an open program")))?;
         let token = given.or_else(|| self.new_token());
         let stop = self.stop_of(id);
         if let Some(token) = &token {
@@ -250,7 +250,7 @@ impl State {
                 match result {
                     // An edit of what is there no more would undo what was written meanwhile.
                     Ok(_) | Err(Fault::Cancelled) if !state.is_current(&uri, generation) => {
-                        let why = "the scene was changed meanwhile; nothing was done".to_owned();
+                        let why = "the scene was changed in the meantime; nothing was done".to_owned();
                         state.reply(&id, Err(Fault::Failed(why)));
                     }
                     Ok(outcome) => finish(state, &id, outcome),
@@ -258,7 +258,7 @@ impl State {
                 }
             })));
         });
-        spawned.map(drop).map_err(|e| Fault::Failed(format!("no thread for it: {e}")))
+        spawned.map(drop).map_err(|e| Fault::Failed(format!("cannot start a thread: {e}")))
     }
 
     /// Whether a program and its layout are what they were.
@@ -322,7 +322,7 @@ impl State {
         self.in_background(move || {
             let appeared = layout.old.is_none() && door.door().is_file(&layout.path);
             let written = if appeared {
-                let say = format!("{} was made meanwhile, and is left alone", layout.path.display());
+                let say = format!("{} was created in the meantime and is left unchanged", layout.path.display());
                 Err(std::io::Error::new(std::io::ErrorKind::AlreadyExists, say))
             } else {
                 door.door().write(&layout.path, layout.text.as_bytes())
@@ -342,11 +342,11 @@ fn job_of(
 ) -> Result<Job, Fault> {
     let compiled = context.snapshot.compiled()?;
     if !compiled.complete {
-        return Err(Fault::Failed("the program has errors; repair these first".to_owned()));
+        return Err(Fault::Failed("the program has errors; fix these first".to_owned()));
     }
     let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, files, .. } = context;
     if settings.is_broken() {
-        return Err(Fault::Failed("scenelang.toml has errors; repair these first".to_owned()));
+        return Err(Fault::Failed("scenelang.toml has errors; fix these first".to_owned()));
     }
     let files = files.of(&path);
     let llm = settings.settings.llm.clone();

@@ -29,7 +29,7 @@ impl Recorder {
             let mut start = Vec::new();
             File::open(path)?.take(START.len() as u64).read_to_end(&mut start)?;
             if start != START.as_bytes() {
-                let say = format!("{} is there already and is no recorded session; name another file", path.display());
+                let say = format!("{} already exists and is not a recorded session; name another file", path.display());
                 return Err(io::Error::new(io::ErrorKind::AlreadyExists, say));
             }
         }
@@ -64,7 +64,8 @@ impl Recorder {
 pub fn replay(path: &Path, output: impl Write + Send + 'static) -> io::Result<u8> {
     let mut steps = Vec::new();
     for (number, line) in BufReader::new(File::open(path)?).lines().enumerate() {
-        let bad = || io::Error::new(io::ErrorKind::InvalidData, format!("line {} is not of a recording", number + 1));
+        let bad =
+            || io::Error::new(io::ErrorKind::InvalidData, format!("line {} is not part of a recording", number + 1));
         let mut line: Value = serde_json::from_str(&line?).map_err(|_| bad())?;
         let mut message = line["message"].take();
         match line["from"].as_str() {

@@ -60,7 +60,8 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fa
     let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
     let locked = |found: &Alternative| {
         let objects = found.moves.iter().filter_map(|moved| job.compiled.program.objects.get(moved.object.0 as usize));
-        let is = |o: &&Object| lock.iter().any(|name| o.name == *name || o.array.as_ref().is_some_and(|(a, _)| a == name));
+        let is =
+            |o: &&Object| lock.iter().any(|name| o.name == *name || o.array.as_ref().is_some_and(|(a, _)| a == name));
         objects.into_iter().find(is).map(|o| o.name.to_string())
     };
     let mut kept = None;
@@ -79,7 +80,7 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fa
         if job.stop.is_set() {
             return Err(Fault::Cancelled);
         }
-        job.progress.say(&format!("looking for the smallest change, circle {}", round + 1));
+        job.progress.say(&format!("looking for the smallest change, round {}", round + 1));
         let (judge, stop) = (job.judging.options, job.stop.clone());
         let alternatives = if lock.is_empty() { RepairOptions::default().alternatives } else { AMONG_LOCKED };
         let options = RepairOptions { budget, judge, stop, alternatives, ..RepairOptions::default() };
@@ -99,7 +100,7 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fa
     Err(Fault::Failed(match wanted {
         _ if kept.is_some() => format!("each repair that was found moves `{}`, which is locked", kept.unwrap_or_default()),
         Wanted::Program(_) => "no number was found whose change would repair it".to_owned(),
-        _ => "no move was found that repairs it, which proves nothing; the program may be changed instead".to_owned(),
+        _ => "no move was found that repairs it, which is not a proof that none exists; the program can be changed instead".to_owned(),
     }))
 }
 
@@ -141,7 +142,7 @@ fn which(job: &Job, wanted: &Wanted, before: &Verdict) -> Result<Which, Fault> {
     };
     let rows: Vec<RowRef> = before.rows.iter().filter(meant).map(row_of).collect();
     if rows.is_empty() {
-        Err(Fault::Failed("there is no constraint in this line".to_owned()))
+        Err(Fault::Failed("there is no constraint on this line".to_owned()))
     } else {
         Ok(Which::Rows(rows))
     }
@@ -224,7 +225,7 @@ fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
     let mut sources = SourceMap::new();
     let id = sources.add(SourceFile::new(main.name(), main.path(), text));
     let compiled = scenelang_lang::compile_main(id, scenelang_lang::Options::default(), &job.files, sources);
-    let broken = || Fault::Failed("the program would not compile any more".to_owned());
+    let broken = || Fault::Failed("the program would no longer compile".to_owned());
     Ok(scenelang_verify::check(&compiled.program.ok_or_else(broken)?, &chosen.layout, &job.judging.options))
 }
 

@@ -215,7 +215,7 @@ fn query(object: &Object, size: Option<Vec3>, before: Option<Vec3>) -> Query {
 fn passed_over(choice: &Choice, warnings: &mut Vec<Diagnostic>) {
     for (provider, remark) in &choice.passed {
         let note = match remark.why {
-            Why::Broken => "`scenelang assets check` says more of it",
+            Why::Broken => "`scenelang assets check` says more about it",
             Why::Failed => "the next provider was asked",
             _ => continue,
         };

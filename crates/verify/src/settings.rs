@@ -140,7 +140,7 @@ pub fn measure(value: f64) -> Result<f64, String> {
 pub fn unknown(what: &str, name: &str, known: &[&str]) -> String {
     match suggest::nearest(name, known.iter().copied()) {
         Some(near) => format!("there is no {what} `{name}`; did you mean `{near}`?"),
-        None => format!("there is no {what} `{name}`; there are {}", known.join(", ")),
+        None => format!("there is no {what} `{name}`; valid names: {}", known.join(", ")),
     }
 }
 
@@ -347,7 +347,7 @@ mod tests {
         };
         assert_eq!(own(text), Ok(wanted));
         for (text, wanted) in [
-            ("eta = 0.1", "there is no setting of a user `eta`; there are llm, assets"),
+            ("eta = 0.1", "there is no setting of a user `eta`; valid names: llm, assets"),
             ("[llm]\nbase_url = 3", "`base_url` takes a URL, not a number"),
             ("[llm]\nkey = \"sk\"", "`key` is not a setting: keys come from the environment, never from a file"),
         ] {
@@ -361,7 +361,7 @@ mod tests {
             ("phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
             (
                 "sofa = 1",
-                "1:1-5 there is no setting `sofa`; there are physics, opens, geometry, eta, tolerances, lints, llm, assets",
+                "1:1-5 there is no setting `sofa`; valid names: physics, opens, geometry, eta, tolerances, lints, llm, assets",
             ),
             ("physics = \"off\"", "1:11-16 `physics` takes true or false, not a string"),
             ("opens = \"door\"", "1:9-15 `opens` takes \"all\", \"doors\" or \"none\", not \"door\""),
@@ -375,7 +375,7 @@ mod tests {
             ("[tolerances]\nequal = 1979-05-27", "2:9-19 `equal` takes a number, not a date"),
             ("tolerances = 1", "1:14-15 `tolerances` takes a table of numbers, not a number"),
             ("[[tolerances]]", "1:1-15 `tolerances` takes a table of numbers, not a list of tables"),
-            ("[lints]\ndeny = []", "2:1-5 there is no setting of lints `deny`; there are allow"),
+            ("[lints]\ndeny = []", "2:1-5 there is no setting of lints `deny`; valid names: allow"),
             ("[lints]\nallow = \"W0203\"", "2:9-16 `allow` takes a list of codes, not a string"),
             ("[lints]\nallow = [3]", "2:10-11 `allow` takes codes as strings, such as \"W0203\""),
             ("[lints]\nallow = [\"W0230\"]", "2:10-17 there is no code `W0230`; did you mean `W0203`?"),
@@ -403,11 +403,8 @@ mod tests {
                 "[llm]\nprices = 3",
                 "2:10-11 `prices` takes a table of models, each with `input` and `output`, not a number",
             ),
-            (
-                "[llm]\nprices.m.input = 3",
-                "2:8-9 the price of `m` needs `input` and `output`, each for a million tokens",
-            ),
-            ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no part of a price `in`; there are input, output"),
+            ("[llm]\nprices.m.input = 3", "2:8-9 the price of `m` needs `input` and `output`, each per million tokens"),
+            ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no part of a price `in`; valid names: input, output"),
             ("[llm]\nprices.m = { input = -3, output = 1 }", "2:22-24 `input` takes a number from 0 to 1000000000"),
             ("\u{feff}phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
         ] {

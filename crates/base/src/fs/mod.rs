@@ -51,7 +51,10 @@ fn write(files: &[(PathBuf, &[u8])], private: bool) -> io::Result<()> {
             return told;
         }
         let new: Vec<String> = paths[..at].iter().map(|p| p.display().to_string()).collect();
-        io::Error::new(told.kind(), format!("{told}; these files are new, all others as they were: {}", new.join(", ")))
+        io::Error::new(
+            told.kind(),
+            format!("{told}; these files are new; all others are unchanged: {}", new.join(", ")),
+        )
     })
 }
 

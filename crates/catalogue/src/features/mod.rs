@@ -84,11 +84,11 @@ impl Features {
         };
         let rows = |name: &str| -> Result<FxHashMap<String, usize>, Fault> {
             let list: Vec<String> = serde_json::from_slice(&bytes(name)?)
-                .map_err(|e| broken(format!("{FOLDER}/{name}: it is no list of texts: {e}")))?;
+                .map_err(|e| broken(format!("{FOLDER}/{name}: it is not a list of strings: {e}")))?;
             let count = list.len();
             let rows: FxHashMap<String, usize> = list.into_iter().enumerate().map(|(i, text)| (text, i)).collect();
             if rows.len() < count {
-                return Err(broken(format!("{FOLDER}/{name}: a text stands in it twice")));
+                return Err(broken(format!("{FOLDER}/{name}: it contains the same text twice")));
             }
             Ok(rows)
         };
@@ -109,7 +109,7 @@ impl Features {
             let [a_name, b_name] = names.map(|i| ARRAYS[i]);
             if a.width != b.width {
                 let say = format!("vectors of {a_name} have {} numbers, those of {b_name} {}", a.width, b.width);
-                return Err(broken(format!("{FOLDER}/: {say}; both must be of the same network")));
+                return Err(broken(format!("{FOLDER}/: {say}; both must come from the same network")));
             }
         }
         Ok(Some(found.ready()))
@@ -193,7 +193,11 @@ impl Vectors {
         let (views, width) = match shape[..] {
             [_, width] => (1, width),
             [_, views, width] => (views, width),
-            _ => return Err(broken(format!("{FOLDER}/{name}: it has one extent; it is a row of numbers for each"))),
+            _ => {
+                return Err(broken(format!(
+                    "{FOLDER}/{name}: it has one dimension, but needs one row of numbers for each entry"
+                )));
+            }
         };
         if shape[0] != rows {
             let list = if name.ends_with("queries.npy") { QUERIES } else { NAMES };

@@ -45,7 +45,7 @@ impl<'d> Data<'d> {
         let accessor = self.document.accessors.get(index);
         let accessor = accessor.ok_or_else(|| broken(format!("there is no accessor {index}")))?;
         if accessor.sparse.is_some() {
-            return Err(broken("it has sparse accessors, which are not read"));
+            return Err(broken("it has sparse accessors, which are not supported"));
         }
         Ok(accessor)
     }
@@ -53,16 +53,16 @@ impl<'d> Data<'d> {
     /// The items of an accessor, each of `width` bytes.
     fn items(&self, accessor: &Accessor, width: usize) -> Result<impl Iterator<Item = &'d [u8]> + use<'d>, Fault> {
         let view = accessor.buffer_view.and_then(|v| self.document.buffer_views.get(v));
-        let view = view.ok_or_else(|| broken("it has numbers that are in no buffer"))?;
+        let view = view.ok_or_else(|| broken("it refers to numbers that are in no buffer"))?;
         let buffer = self.document.buffers.get(view.buffer).map_or(0, |b| b.byte_length);
         let whole = view.byte_offset.checked_add(view.byte_length).filter(|end| *end <= buffer);
         let whole = whole.and_then(|end| self.binary.get(view.byte_offset as usize..end as usize));
         let whole = whole.ok_or_else(|| broken("it refers to bytes beyond its buffer"))?;
         let stride = view.byte_stride.map_or(width, |s| usize::try_from(s).unwrap_or(0));
         if stride < width {
-            return Err(broken(format!("its numbers are {stride} bytes apart, and {width} bytes long")));
+            return Err(broken(format!("its numbers are {stride} bytes apart, but {width} bytes long")));
         }
-        let short = || broken(format!("it claims {} numbers where there are fewer", accessor.count));
+        let short = || broken(format!("it declares {} numbers, but there are fewer", accessor.count));
         let offset = usize::try_from(accessor.byte_offset).map_err(|_| short())?;
         let count = usize::try_from(accessor.count).map_err(|_| short())?;
         let end = match count {

@@ -39,10 +39,10 @@ const HARMLESS: [&str; 8] = [
 pub(crate) fn read(bytes: &[u8]) -> Result<Raw, Fault> {
     let (json, binary) = chunks(bytes)?;
     let document: Document =
-        serde_json::from_slice(json).map_err(|e| broken(format!("its JSON is not that of a glTF file: {e}")))?;
+        serde_json::from_slice(json).map_err(|e| broken(format!("its JSON is not valid glTF: {e}")))?;
     refuse_references(&document, binary.len())?;
     if let Some(unknown) = document.extensions_required.iter().find(|e| !HARMLESS.contains(&e.as_str())) {
-        return Err(broken(format!("it cannot be read without the extension {unknown}, which is not known here")));
+        return Err(broken(format!("it requires the extension {unknown}, which is not supported")));
     }
     let mut walk = Walk { data: Data { document: &document, binary }, raw: Raw::default(), left: limits::NODES };
     let scene = document.scenes.get(document.scene.unwrap_or(0)).ok_or_else(|| broken("it has no scene"))?;
@@ -60,12 +60,12 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
     }
     match number(4) {
         Some(2) => {}
-        Some(version) => return Err(broken(format!("it is of version {version} of GLB, not of version 2"))),
+        Some(version) => return Err(broken(format!("it is GLB version {version}, not version 2"))),
         None => return Err(broken("it ends within its header")),
     }
     let said = number(8).ok_or_else(|| broken("it ends within its header"))? as usize;
     if said > bytes.len() {
-        return Err(broken(format!("it ends early: it says that it has {said} bytes, and has {}", bytes.len())));
+        return Err(broken(format!("it ends early: it declares {said} bytes, but has {}", bytes.len())));
     }
     let (mut json, mut binary) = (None, None);
     let mut at = 12;
@@ -91,11 +91,14 @@ fn refuse_references(document: &Document, binary: usize) -> Result<(), Fault> {
         }
         if buffer.byte_length > limits::BYTES as u64 {
             let claim = buffer.byte_length >> 20;
-            return Err(beyond(format!("it claims a buffer of {claim} MB; the most is {} MB", limits::BYTES >> 20)));
+            return Err(beyond(format!(
+                "it declares a buffer of {claim} MB; the maximum is {} MB",
+                limits::BYTES >> 20
+            )));
         }
         if buffer.byte_length > binary as u64 {
             let claim = buffer.byte_length;
-            return Err(broken(format!("it claims a buffer of {claim} bytes, and has {binary}")));
+            return Err(broken(format!("it declares a buffer of {claim} bytes, but has {binary}")));
         }
     }
     let leads_out = |uri: &str| {
@@ -128,7 +131,7 @@ impl Walk<'_> {
         let document = self.data.document;
         let node = document.nodes.get(index).ok_or_else(|| broken(format!("there is no node {index}")))?;
         if depth > limits::DEPTH {
-            return Err(beyond(format!("its nodes are more than {} deep in each other", limits::DEPTH)));
+            return Err(beyond(format!("its nodes are nested more than {} levels deep", limits::DEPTH)));
         }
         self.left =
             self.left.checked_sub(1).ok_or_else(|| beyond(format!("it has more than {} nodes", limits::NODES)))?;
@@ -160,7 +163,7 @@ impl Walk<'_> {
             TRIANGLES => corners[..corners.len() / 3 * 3].to_vec(),
             STRIP => strip(&corners),
             FAN => corners.windows(2).skip(1).flat_map(|w| [corners[0], w[0], w[1]]).collect(),
-            other => return Err(broken(format!("there is no kind of primitive {other}"))),
+            other => return Err(broken(format!("there is no primitive mode {other}"))),
         };
         let surface = primitive.material.and_then(|m| self.data.document.materials.get(m)).map(look);
         let normals = normals.filter(|n| n.len() == positions.len()).unwrap_or_default();
@@ -181,7 +184,7 @@ fn local(node: &Node) -> Result<Matrix4<f64>, Fault> {
         None => {
             let [x, y, z, w] = node.rotation;
             let turn = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9);
-            let turn = turn.ok_or_else(|| broken("a node has a rotation that is none"))?;
+            let turn = turn.ok_or_else(|| broken("a node has an invalid rotation"))?;
             Translation3::from(Vector3::from(node.translation)).to_homogeneous()
                 * turn.to_homogeneous()
                 * Matrix4::new_nonuniform_scaling(&Vector3::from(node.scale))

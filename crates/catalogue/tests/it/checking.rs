@@ -134,12 +134,12 @@ fn findings_say_how_much_and_what_to_do() {
         said,
         [
             "a.glb W0701 its mesh is open: 3 edges have no triangle on the other side; close the holes, or merge vertices that are at the same place",
-            "b.glb W0702 its longest side is 120 m; the usual size of \"table\" is 1.4 m; its numbers may be centimetres",
-            "c.glb W0702 the size on its card has other proportions than its triangles, by a factor of 2.00; write the width, height and depth that it has with its front turned to +z",
-            "d.glb W0702 it is 900 m large; its numbers may be millimetres",
-            "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is put on the floor; if it is to hang higher, place it so in the program",
+            "b.glb W0702 its longest side is 120 m; the usual size of \"table\" is 1.4 m; its numbers may be in centimetres",
+            "c.glb W0702 the size on its card differs in its proportions from its mesh, by a factor of 2.00; write its width, height and depth when its front faces +z",
+            "d.glb W0702 its longest side is 900 m; its numbers may be in millimetres",
+            "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is put on the floor; if it should hang higher, place it higher in the program",
             "e.glb W0706 its mass is 7000 kg, 9333 kg/m³: more than a block of steel of its size; write kilograms on its card: `\"mass\": 7.5`",
-            "f.glb W0705 it is one piece that fills 14 % of its convex hull; it is cut into 3 parts where that looks right; make it of several convex pieces that do not share edges",
+            "f.glb W0705 it is one piece that fills 14 % of its convex hull; it is cut into 3 parts where that looks right; build it from several convex pieces that do not share edges",
             "f.glb W0706 its mass is -1 kg, which is not possible; write kilograms on its card: `\"mass\": 7.5`",
         ]
     );

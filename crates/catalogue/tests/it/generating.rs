@@ -67,7 +67,7 @@ fn a_program_gets_the_order_and_what_it_makes_is_kept() {
     assert!(ask(&shell(script, folder.path(), bounds(&kept, 0)), &[chair])[0].given.is_some());
     let larger = query("chair", [0.6, 0.9, 0.5]);
     let (why, say) = refused(ask(&shell(script, folder.path(), bounds(&kept, 0)), &[larger]));
-    assert_eq!((why, say.as_str()), (Why::Budget, "nothing may be made in this run"));
+    assert_eq!((why, say.as_str()), (Why::Budget, "no models may be made in this run"));
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn each_way_to_fail_is_one_remark() {
         ("echo hello", Why::Broken, "it is not a GLB file"),
         ("cat $1/short.glb", Why::Broken, "it ends early"),
         ("cat $1/flat.glb", Why::Size, "it would be stretched"),
-        ("head -c 70000000 /dev/zero", Why::Broken, "it has more than 64 MB"),
+        ("head -c 70000000 /dev/zero", Why::Broken, "it is larger than 64 MB"),
     ] {
         let generator = shell(script, folder.path(), bounds(&folder.path().join("kept"), 9));
         let got = refused(ask(&generator, &[query("chair", [0.5, 0.9, 0.5])]));

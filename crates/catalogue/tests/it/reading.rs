@@ -193,8 +193,8 @@ fn the_folder_of_objathor_is_read() {
     assert_eq!(
         refused,
         [
-            "annotations.json.gz E0703 it has an object whose name is no name of a file: \"../dd44\"",
-            "annotations.json.gz E0001 of 1 of its 4 objects there is no model below assets/",
+            "annotations.json.gz E0703 it has an object whose name is not a valid file name: \"../dd44\"",
+            "annotations.json.gz E0001 1 of its 4 objects have no model below assets/",
             "assets/bb22/bb22.pkl.gz E0701 models are not read as .pkl.gz",
         ]
     );

@@ -210,7 +210,7 @@ fn features_that_cannot_be_used_are_one_diagnosis_and_words_decide() {
         (
             |f, _| fs::write(f.join("features/names.json"), "[\"a\", \"a\", \"b\"]").unwrap(),
             "E0706",
-            "a text stands in it twice",
+            "it contains the same text twice",
         ),
         (
             |f, _| fs::write(f.join("features/clip_models.npy"), npy("(9999999999, 2)", &[1.0])).unwrap(),
@@ -236,6 +236,9 @@ fn features_that_cannot_be_used_are_one_diagnosis_and_words_decide() {
     let (folder, _) = told([60.0, 50.0, 10.0], None);
     write(folder.path(), "3.glb", &block(0.5, 0.9, 0.5).glb(), &Value::Null);
     let catalogue = Catalogue::open(folder.path()).unwrap();
-    assert_eq!(catalogue.refused[0].finding.message, "1 of 4 models have no features and are not found by them");
+    assert_eq!(
+        catalogue.refused[0].finding.message,
+        "1 of 4 models have no features and are not found by feature search"
+    );
     assert_eq!(answer(&Local::open(folder.path(), "models", None).unwrap(), "chair"), "2.glb []");
 }

@@ -160,7 +160,7 @@ fn explain(text: &str) -> Result<scenelang_verify::Explain, String> {
     match text {
         "all" => Ok(Explain::All),
         "none" => Ok(Explain::First(0)),
-        number => number.parse().map(Explain::First).map_err(|_| "it is all, none or a number".to_owned()),
+        number => number.parse().map(Explain::First).map_err(|_| "expected all, none or a number".to_owned()),
     }
 }
 
@@ -743,7 +743,11 @@ pub struct Schema {
 /// A time limit.
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds: f64 = text.parse().unwrap_or(f64::NAN);
-    if (0.001..=1e6).contains(&seconds) { Ok(seconds) } else { Err("it is a number of seconds above 0".to_owned()) }
+    if (0.001..=1e6).contains(&seconds) {
+        Ok(seconds)
+    } else {
+        Err("expected a number of seconds greater than 0".to_owned())
+    }
 }
 
 fn schema_names() -> clap::builder::PossibleValuesParser {

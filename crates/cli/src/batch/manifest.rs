@@ -75,7 +75,7 @@ pub fn lines(bytes: &[u8], path: &Path) -> (Vec<Line>, String) {
         let job = job(text, path, &door).and_then(|job| match &job.name {
             // Some file systems do not tell large letters from small ones.
             Some(name) if !names.insert(name.to_ascii_lowercase()) => {
-                Err(format!("the name {name:?} is that of an earlier line; each line needs its own"))
+                Err(format!("the name {name:?} was already used on an earlier line; each line needs its own"))
             }
             _ => Ok(job),
         });
@@ -102,7 +102,7 @@ fn job(text: &[u8], path: &Path, door: &Door) -> Result<Job, String> {
     if text.len() > LONGEST {
         let (long, most) = (text.len() as f64 / f64::from(1 << 20), LONGEST >> 20);
         return Err(format!(
-            "the line has {long:.1} MiB, and at most {most} MiB is read; put a long program into a file"
+            "the line is {long:.1} MiB long, and at most {most} MiB is read; put a long program into a file"
         ));
     }
     let text = std::str::from_utf8(text).map_err(|_| "the line is not valid UTF-8".to_owned())?;
@@ -120,10 +120,10 @@ fn job(text: &[u8], path: &Path, door: &Door) -> Result<Job, String> {
         (None, Some(program), None) => {
             door.permits(&beside(path, program)).map_err(|e| format!("the program {program:?} cannot be read: {e}"))?;
         }
-        _ => return Err("a line has one of \"request\", \"program\" and \"source\"".to_owned()),
+        _ => return Err("a line must have exactly one of \"request\", \"program\" and \"source\"".to_owned()),
     }
     if job.seed >= 1 << 53 {
-        return Err("a seed is less than 2^53, so that no reader of JSON cuts it".to_owned());
+        return Err("a seed must be less than 2^53, so that every JSON reader can represent it exactly".to_owned());
     }
     if job.quality > 100 || !(1..=1000).contains(&job.effort) {
         return Err("\"quality\" is 0 to 100, \"effort\" 1 to 1000".to_owned());
@@ -144,8 +144,8 @@ fn is_name(name: &str) -> Result<(), String> {
         return Ok(());
     }
     Err(format!(
-        "{:?} cannot be a name: it takes letters, digits, `-`, `_` and `.`, at most {LONGEST_NAME}, begins with a letter or \
-         digit, and not with {UNNAMED:?}",
+        "{:?} cannot be a name: a name consists of letters, digits, `-`, `_` and `.`, at most {LONGEST_NAME} characters, begins with a letter or \
+         digit, and does not begin with {UNNAMED:?}",
         name.chars().take(LONGEST_NAME).collect::<String>()
     ))
 }

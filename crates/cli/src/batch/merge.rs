@@ -97,9 +97,9 @@ fn missing(splits: &BTreeMap<u64, BTreeMap<u64, Summary>>) -> String {
             .map(|index| summary_of([index, *of]))
             .collect();
         if missing.is_empty() {
-            format!("the {of} shards are of different manifests")
+            format!("the {of} shards come from different manifests")
         } else {
-            format!("{} of {of} shards are done; there is no {}", shards.len(), missing.join(", "))
+            format!("{} of {of} shards are done; still missing: {}", shards.len(), missing.join(", "))
         }
     };
     splits.iter().map(of_split).collect::<Vec<_>>().join("; ")

@@ -250,7 +250,7 @@ fn worked(args: &BatchRun, program: &Path, line: &Line, job: &Job) -> Option<Tro
         Ok(None) => {
             Some(Trouble::new(Kind::Time, format!("it was stopped after {} s (--time increases the limit)", args.time)))
         }
-        Err(why) => crash(format!("its process cannot be waited for: {why}")),
+        Err(why) => crash(format!("cannot wait for its process: {why}")),
     }
 }
 

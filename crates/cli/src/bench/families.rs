@@ -88,8 +88,8 @@ pub fn text(trials: &[Trial]) -> String {
         ]);
     }
     format!(
-        "{}\n  solved: the verifier accepts the layout. Times: until everything that must hold did, solver only; over all \
-         runs,\n  so that — is a share of them that was never reached.\n",
+        "{}\n  solved: the verifier accepts the layout. Times: solver time until everything that must hold did, over all \
+         runs;\n  — means that too few of them got there.\n",
         table.render()
     )
 }

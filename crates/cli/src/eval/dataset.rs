@@ -13,7 +13,7 @@ use std::fmt::Write;
 /// What is written beside the files of each scene.
 const FILES: [&str; 3] = ["dataset.jsonl", "statistics.json", "dataset.schema.json"];
 
-/// Makes a dataset; 0 if all that must hold does in each scene.
+/// Makes a dataset; 0 if everything that must hold does so in each scene.
 pub fn run(args: &EvalDataset) -> u8 {
     let names: Vec<OutFile> = FILES.into_iter().map(|name| OutFile::new(name, String::new())).collect();
     let may = May { force: args.force, these: &[] };
@@ -33,7 +33,7 @@ pub fn run(args: &EvalDataset) -> u8 {
             None => {}
         }
         let good = scenes.iter().filter(|scene| scene.holds()).count();
-        progress.say(format!("{} of {} scenes, all holds in {good}", scenes.len(), args.scenes));
+        progress.say(format!("{} of {} scenes, everything holds in {good}", scenes.len(), args.scenes));
     };
     let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
     parallel::in_order(&numbers, jobs, |number| (!interrupt::asked()).then(|| solved(args.seed, *number, &stop)), each);
@@ -86,7 +86,7 @@ fn text(statistics: &Statistics) -> String {
     }
     let mut out = table.render();
     let [[holding, of], [held, all]] = [statistics.holding, statistics.relations];
-    let _ = writeln!(out, "\nall that must hold does in {holding} of {of} scenes that can have a layout");
+    let _ = writeln!(out, "\neverything that must hold does so in {holding} of {of} scenes that can have a layout");
     let _ = writeln!(out, "{held} of {all} relations hold");
     out
 }

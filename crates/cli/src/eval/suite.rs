@@ -26,7 +26,7 @@ pub fn run(args: &EvalRun) -> u8 {
 
 fn text_of(path: &Path) -> Result<String, String> {
     let bytes = Door::of(path).read(path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
-    String::from_utf8(bytes).map_err(|_| format!("{} is no text in UTF-8", path.display()))
+    String::from_utf8(bytes).map_err(|_| format!("{} is not valid UTF-8", path.display()))
 }
 
 /// A suite while it is measured.
@@ -79,7 +79,11 @@ fn all(args: &EvalRun) -> Result<u8, String> {
         }
     }
     drop(progress);
-    let done = format!("{} of {} scenes are measured; the same command goes on from there", cases.len(), suite.scenes);
+    let done = format!(
+        "{} of {} scenes have been measured; run the same command again to continue",
+        cases.len(),
+        suite.scenes
+    );
     if interrupt::asked() {
         eprintln!("interrupted: {done}");
         return Ok(INTERRUPTED);
@@ -185,7 +189,7 @@ fn texts_of(args: &EvalRun, to: &Path) -> Result<(), String> {
 fn shown(figures: &Figures) -> String {
     let list = |values: &[f64]| values.iter().map(|x| format!("{x:.1}")).collect::<Vec<_>>().join(", ");
     let mut out = format!("relations that hold after each iteration, %: {}\n", list(&figures.search));
-    out += &format!("all that must hold does in {} of {} scenes\n", figures.scenes, figures.size[0]);
+    out += &format!("everything that must hold does so in {} of {} scenes\n", figures.scenes, figures.size[0]);
     out += &format!(
         "Holodeck's floor solver, rebuilt, %: {} of the relations, {} of the objects placed\n",
         figures.grid[0], figures.grid[1]

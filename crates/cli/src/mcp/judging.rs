@@ -89,7 +89,7 @@ pub fn why_not(call: &Call<'_>, WhyNot { file, statement, proof }: WhyNot) -> An
     });
     let mut out = json!({ "file": called(&path), "contradiction": !contradictions.is_empty() });
     out["text"] = match (contradictions.is_empty(), findings.complete && !findings.too_large) {
-        (false, _) => "no layout can satisfy these statements together; leave one of a set out, or change it",
+        (false, _) => "no layout can satisfy these statements together; remove or change one of each set",
         (true, true) => {
             "nothing is proved impossible, which does not mean that there is a layout; `solve` looks for one"
         }
@@ -165,10 +165,12 @@ fn turn(row: &Difference) -> Value {
 fn edited(mut text: String, edits: &[Edit]) -> Result<String, String> {
     for Edit { old, new } in edits {
         match text.matches(old.as_str()).count() {
-            _ if old.is_empty() => return Err("`old` of an edit is empty: nothing says where it goes".to_owned()),
-            0 => return Err(format!("there is no `{old}` in the file")),
+            _ if old.is_empty() => {
+                return Err("`old` of an edit is empty, so it is not clear where the edit goes".to_owned());
+            }
+            0 => return Err(format!("`{old}` is not in the file")),
             1 => text = text.replacen(old.as_str(), new, 1),
-            n => return Err(format!("`{old}` is in the file {n} times; give more of the text around it")),
+            n => return Err(format!("`{old}` occurs {n} times in the file; give more of the text around it")),
         }
     }
     Ok(text)

@@ -31,7 +31,7 @@ pub fn explain(_: &Call<'_>, Explain { word }: Explain) -> Answered {
         Some(near) => format!("did you mean `{near}`?"),
         None => "codes look like E0201, W0302, V0101; `vocabulary` lists the words".to_owned(),
     };
-    Err(format!("there is no code and no word of the language `{word}`; {advice}"))
+    Err(format!("`{word}` is neither a code nor a word of the language; {advice}"))
 }
 
 #[derive(Deserialize)]
@@ -50,7 +50,7 @@ pub fn vocabulary(_: &Call<'_>, Vocabulary { word }: Vocabulary) -> Answered {
             "properties_of_objects": names(natives::OBJECT_PROPERTIES),
             "properties_of_regions": names(natives::REGION_PROPERTIES),
             "categories": library::categories().len(),
-            "note": "give a `word` to learn what names with it mean, and which categories have it in their name",
+            "note": "give a `word` to see what the names that contain it mean, and which categories contain it",
         })));
     };
     let has = |name: &str| name.to_lowercase().contains(&word);
@@ -72,7 +72,7 @@ pub fn vocabulary(_: &Call<'_>, Vocabulary { word }: Vocabulary) -> Answered {
     if names.is_empty() && categories.is_empty() {
         let near = words::nearest(&word).map(str::to_owned).or_else(|| library::nearest_category(&word));
         let advice = near.map_or_else(String::new, |near| format!("; did you mean `{near}`?"));
-        return Err(format!("no name and no category has `{word}` in it{advice}"));
+        return Err(format!("no name or category contains `{word}`{advice}"));
     }
     Ok(ToolAnswer::of(json!({ "names": names, "categories": categories })))
 }

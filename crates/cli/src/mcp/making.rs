@@ -42,7 +42,7 @@ pub fn formalize(call: &Call<'_>, Formalize { request, file, literal }: Formaliz
     let path = file.map(|file| call.workspace.scene_file(&file)).transpose()?;
     if let Some(path) = &path {
         if !is_program(path) {
-            return Err(format!("{} is no name for a program; NAME.scene is", called(path)));
+            return Err(format!("{} is not a name for a program; use NAME.scene", called(path)));
         }
         call.workspace.permit(path, &[])?;
     }
@@ -53,7 +53,7 @@ pub fn formalize(call: &Call<'_>, Formalize { request, file, literal }: Formaliz
     if understood.reading.nothing {
         return Err("nothing in the request was understood; say which objects are in which room".to_owned());
     }
-    let said = reader::summary(&understood.reading, &understood.program);
+    let said = reader::summary(&understood.reading);
     let mut out = json!({ "understood": format!("{} of {} clauses", said["understood"], said["clauses"]) });
     let texts = |list: &Value| -> Vec<Value> {
         list.as_array().into_iter().flatten().map(|entry| entry["text"].clone()).collect()
@@ -132,7 +132,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
         Err(Failure::Interrupted) => return Err(call.late()),
         Err(Failure::Contradiction(checked)) => {
             let mut out = verdict::of(&checked);
-            out["text"] = "there is no layout in which all of it holds; `why_not` shows the smallest set".into();
+            out["text"] = "no layout satisfies all statements; `why_not` shows the smallest contradictory set".into();
             return Ok(ToolAnswer::of(out));
         }
         Err(Failure::Input(_, findings)) => return Err(input(&name, &findings)),
@@ -146,7 +146,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
         verdict::list(solution::named(found), |(id, text)| json!({ "id": id, "text": folded(text) }));
     if !in_the_way.is_empty() {
         out["in_the_way"] = in_the_way.into();
-        out["text"] = "without the statements in the way the rest holds (found by search, not proved)".into();
+        out["text"] = "without the statements in `in_the_way`, the rest holds (found by search, not proved)".into();
     }
     if more > 0 {
         out["more_in_the_way"] = more.into();
@@ -222,13 +222,13 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
             (false, true) if found.contradiction.is_some() => "no layout satisfies all statements of the contradiction",
             (true, _) => "nothing to repair",
             (false, true) => "no repair was found, which is not a proof that none exists",
-            (false, false) => "nothing is changed yet: call again with `apply` and the number of a way",
+            (false, false) => "nothing has been changed yet: call again with `apply` and the number of one of the ways",
         }
         .into();
         return Ok(ToolAnswer::of(out));
     };
     let chosen = usize::from(n).checked_sub(1).and_then(|i| found.alternatives.get(i));
-    let chosen = chosen.ok_or_else(|| format!("there is no way {n}, of {}", found.alternatives.len()))?;
+    let chosen = chosen.ok_or_else(|| format!("there is no way number {n}; there are {}", found.alternatives.len()))?;
     let mut made: Vec<Made> = programs(&files.door, &checked, chosen)?
         .into_iter()
         .map(|(_, path, text)| Made { path, text, edited: true })
@@ -258,7 +258,7 @@ fn kept(call: &Call<'_>, out: &mut Value, made: Vec<Made>) -> Result<(), String>
     } else {
         out["in_memory"] = json!(names);
         out["note"] =
-            "the server may not write: all tools see these files until it ends; `scenelang mcp --write` writes them"
+            "the server may not write files: its tools see these until it ends; `scenelang mcp --write` writes them to disk"
                 .into();
     }
     Ok(())

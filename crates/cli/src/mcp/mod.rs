@@ -37,7 +37,7 @@ pub fn run(args: &Mcp) -> u8 {
     let mut builder = tokio::runtime::Builder::new_current_thread();
     let runtime = match builder.enable_all().max_blocking_threads(THREADS).thread_stack_size(STACK).build() {
         Ok(runtime) => runtime,
-        Err(e) => return fail(&format!("cannot begin to serve: {e}")),
+        Err(e) => return fail(&format!("cannot start the server: {e}")),
     };
     let transport = AsyncRwTransport::new_server(tokio::io::stdin(), tokio::io::stdout()).with_max_line_length(MESSAGE);
     let served = runtime.block_on(async {
@@ -48,7 +48,7 @@ pub fn run(args: &Mcp) -> u8 {
     runtime.shutdown_background();
     match served {
         Ok(_) => GOOD,
-        Err(message) => fail(&format!("the client did not begin as the protocol has it: {message}")),
+        Err(message) => fail(&format!("the client did not start as the protocol requires: {message}")),
     }
 }
 

@@ -35,7 +35,7 @@ pub fn listed() -> Vec<Resource> {
             .with_description("A program")
             .with_mime_type("text/x-scenelang");
         let report = Resource::new(uri(REPORT, &path), format!("report of {name}"))
-            .with_description("What holds of it, in full")
+            .with_description("What holds and what fails, in full")
             .with_mime_type("application/json");
         [program, report]
     });
@@ -72,7 +72,7 @@ pub fn read(call: &Call<'_>, address: &str) -> Result<ResourceContents, String> 
         files.text(&path)?;
         (report::json(&call.workspace.judge(&path, &files).report), "application/json")
     } else {
-        return Err(format!("there is no `{address}`; there are {GUIDE}, {PROGRAM}PATH and {REPORT}PATH"));
+        return Err(format!("there is no `{address}`; the resources are {GUIDE}, {PROGRAM}PATH and {REPORT}PATH"));
     };
     Ok(ResourceContents::text(text, address).with_mime_type(kind))
 }

@@ -68,7 +68,7 @@ impl Server {
             let _permit = permit;
             work(&Call { workspace: &inner.workspace, stop: &theirs, time })
         });
-        let broken = |_| Err("scenelang failed at this, which is a fault of its own; please report it".to_owned());
+        let broken = |_| Err("scenelang failed because of an internal error; please report it".to_owned());
         tokio::select! {
             done = &mut job => return done.unwrap_or_else(broken),
             () = context.ct.cancelled() => {
@@ -94,7 +94,7 @@ impl<'a> Waiting<'a> {
     fn take(inner: &'a Inner) -> Result<Self, String> {
         if inner.waiting.fetch_add(1, Ordering::SeqCst) >= WAITING {
             inner.waiting.fetch_sub(1, Ordering::SeqCst);
-            return Err(format!("{WAITING} calls wait already; call again when some are done"));
+            return Err(format!("{WAITING} calls are already waiting; call again when some are done"));
         }
         Ok(Self(&inner.waiting))
     }
@@ -128,7 +128,7 @@ impl ServerHandler for Server {
     ) -> Result<CallToolResponse, ErrorData> {
         let Some(tool) = tools::find(&request.name) else {
             let names: Vec<&str> = TOOLS.iter().map(|tool| tool.name).collect();
-            let say = format!("there is no tool `{}`; there are {}", request.name, names.join(", "));
+            let say = format!("there is no tool `{}`; valid names: {}", request.name, names.join(", "));
             return Err(ErrorData::invalid_params(say, None));
         };
         let arguments = request.arguments.unwrap_or_default();

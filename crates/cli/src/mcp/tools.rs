@@ -23,7 +23,7 @@ impl Call<'_> {
     /// What is said when it was ended before there was anything to show.
     pub fn late(&self) -> String {
         format!(
-            "it was ended after {} s before there was a result; `scenelang mcp --time SECONDS` lets a call take longer",
+            "it was stopped after {} s, before it had a result; `scenelang mcp --time SECONDS` lets a call take longer",
             self.time.as_secs_f64()
         )
     }

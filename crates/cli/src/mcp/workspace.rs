@@ -74,7 +74,7 @@ impl Workspace {
         let whole = self.whole(Path::new(given));
         let path = whole.strip_prefix(&self.root).map_err(|_| refused())?.to_path_buf();
         if path.as_os_str().is_empty() || given.contains('\0') {
-            return Err(format!("`{given}` is no file; name one such as room.scene"));
+            return Err(format!("`{given}` is not a file; name one such as room.scene"));
         }
         self.door(&path).permits(&path).map_err(|_| refused())?;
         Ok(path)
@@ -168,7 +168,7 @@ impl Workspace {
     pub fn program(&self, path: &Path) -> Result<PathBuf, String> {
         let files = self.files(path);
         let found = program_of(&called(path), path, &files).map(|(_, program)| normal(&program));
-        found.ok_or_else(|| format!("{} cannot be read, or names no program", called(path)))
+        found.ok_or_else(|| format!("{} cannot be read or does not name a program", called(path)))
     }
 }
 

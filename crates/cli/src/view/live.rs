@@ -213,7 +213,7 @@ impl Drag {
 fn moved(layout: &Layout, asked: &Move) -> Result<Layout, String> {
     let far = |x: &f64| !x.is_finite() || x.abs() > layout_file::LARGEST;
     if asked.pos.iter().chain(&asked.rot).any(far) {
-        return Err("a position is three numbers within a million".to_owned());
+        return Err("a position is three numbers from -1000000 to 1000000".to_owned());
     }
     let mut moved = layout.clone();
     let found = moved.objects.iter_mut().find(|(name, _)| *name == asked.object);

@@ -114,7 +114,7 @@ impl Site {
             Ok(Ok(bytes)) => bytes,
             Ok(Err(Untaken::TooLarge)) => return text(StatusCode::PAYLOAD_TOO_LARGE, "too large"),
             Ok(Err(Untaken::Broken)) => return text(StatusCode::BAD_REQUEST, "it broke off"),
-            Err(_) => return text(StatusCode::REQUEST_TIMEOUT, "it did not come to an end"),
+            Err(_) => return text(StatusCode::REQUEST_TIMEOUT, "the request did not end in time"),
         };
         let asked: Move = match serde_json::from_slice(&bytes) {
             Ok(asked) => asked,
@@ -135,7 +135,7 @@ impl Site {
     fn events(self: &Arc<Self>, connection: &Connection) -> Response<ResponseBody> {
         if self.pages.fetch_add(1, Ordering::SeqCst) >= PAGES {
             self.pages.fetch_sub(1, Ordering::SeqCst);
-            return text(StatusCode::SERVICE_UNAVAILABLE, "too many pages follow this room");
+            return text(StatusCode::SERVICE_UNAVAILABLE, "too many pages are following this room");
         }
         connection.follow();
         let (page, lines) = mpsc::channel(1);

@@ -165,7 +165,7 @@ fn only_what_must_move_moves() {
     let before = [0, 1, 2].map(|k| before[k].as_f64().unwrap());
     room.put("glb", "stool", [-1.0, 0.0, -1.0]);
     let ended = room.run(&SYNTH, &["--take"], 0);
-    assert!(ended.stderr.contains("so that all holds: `stool` was moved by"), "{ended:?}");
+    assert!(ended.stderr.contains("so that everything holds: `stool` was moved by"), "{ended:?}");
     assert!(room.stands("out/room.layout.json", "stool", [-1.6, 0.0, -1.6]));
     assert!(room.stands("out/room.layout.json", "bed", before));
 }
@@ -188,7 +188,7 @@ fn what_was_removed_or_added_is_told() {
         assert!(ended.stderr.contains(part), "{part}: {ended:?}");
     }
     let ended = room.run(&SYNTH, &["--take"], 0);
-    for part in ["`bed` was removed from the scene", "`sofa` was added", "so that all holds: `bed` was put in"] {
+    for part in ["`bed` was removed from the scene", "`sofa` was added", "so that everything holds: `bed` was put in"] {
         assert!(ended.stderr.contains(part), "{part}: {ended:?}");
     }
     assert!(read_json(&room.at("out/room.layout.json"))["objects"]["bed"].is_object());

@@ -72,7 +72,7 @@ fn people_read_what_moved_and_what_that_did() {
 
       region  is        how
       ──────  ────────  ──────────────────────────────
-      room    reshaped  an outline of 3 corners, was 4
+      room    reshaped  an outline with 3 corners, was 4
 
       variable  was  is
       ────────  ───  ────

@@ -187,7 +187,7 @@ fn addresses_and_keys() -> Vec<Case> {
             name: "an unknown provider",
             workspace: "[llm]\nmodel = \"evil:m\"\n",
             args: CONFIGURED,
-            said: "there is no provider `evil`; there are openai, ",
+            said: "there is no provider `evil`; valid names: openai, ",
             ..refused
         },
         Case {
@@ -296,7 +296,7 @@ fn budgets() -> Vec<Case> {
             workspace: "[llm]\nmax_calls = 1_000_000\nrounds = 100\n",
             own: "[llm]\nmax_calls = 7\n",
             asked: UpTo(7),
-            said: "note: scenelang.toml asks for 1000000 calls; 7 are allowed unless you say --max-calls 1000000\n",
+            said: "note: scenelang.toml asks for 1000000 calls; 7 are allowed unless you pass --max-calls 1000000\n",
             ..on
         },
         Case {

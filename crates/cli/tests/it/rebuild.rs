@@ -245,7 +245,7 @@ fn a_missing_file_is_made_again() {
     assert!(bytes(&before) == bytes(&folder.files()));
     fs::remove_file(folder.at("out/room.layout.json")).unwrap();
     let why = folder.told(&[])["layout"]["why"].take();
-    assert_eq!(why, json!(["it is not there as it was written, or was not finished"]));
+    assert_eq!(why, json!(["it is missing, was changed since it was written, or was not finished"]));
     assert!(bytes(&before) == bytes(&folder.files()));
 }
 

@@ -116,7 +116,7 @@ impl Figures {
     /// What of ours is lower than it was: what, before, now. Baselines are not among them.
     pub fn fallen(&self, before: &Self) -> Vec<(String, f64, f64)> {
         let mut all: Vec<(String, f64, f64)> =
-            vec![("scenes in which all holds".to_owned(), before.scenes as f64, self.scenes as f64)];
+            vec![("scenes in which everything holds".to_owned(), before.scenes as f64, self.scenes as f64)];
         let at = |of: &Self, i: usize| of.search.get(i).copied().unwrap_or(0.0);
         all.extend(
             (0..before.search.len()).map(|i| (format!("relations after iteration {i}"), at(before, i), at(self, i))),

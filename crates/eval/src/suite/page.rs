@@ -68,8 +68,8 @@ fn dataset(out: &mut String, [scenes, rooms, objects, relations, words]: [usize;
     out.push_str(
         "\nThe five kinds of buildings, the sizes of the pools, one or two rooms, 5 to 15 attributes, at most five of a kind and \
          the chance of fewer are as published. The words are a grammar's (`crates/eval/data`) and not a language model's, so \
-         they are less varied than the published requests; no two of them share a skeleton. Of relations each instance \
-         counts: five chairs at a table are five.\n\n",
+         they are less varied than the published requests; no two of them share a skeleton. Each instance of a relation \
+         counts: five chairs at a table are five relations.\n\n",
     );
 }
 
@@ -88,7 +88,7 @@ fn correctness(out: &mut String, figures: &Figures) {
     }
     let _ = write!(
         out,
-        "\nAll that must hold (relations, other statements, physical rules) does in {} of {} scenes at the end.\n\n\
+        "\nEverything that must hold (relations, other statements, physical rules) does so in {} of {} scenes at the end.\n\n\
          PICTURE:evaluation-iterations.svg\n\n\
          - **Comparable:** what is counted, and ours with the rebuilt floor solver: the same programs, the same judge.\n\
          - **Not comparable:** the published shares are of constraints that a language model wrote for other requests; some of \
@@ -96,8 +96,8 @@ fn correctness(out: &mut String, figures: &Figures) {
          {} units of work for each object, about as much as one look at each of them.\n\
          - **Holodeck's floor solver** is rebuilt from its description with its published parameters (a grid of a twentieth of \
          the room, quarter turns, thirty first placements and then the best one each time, its weights; its limit of 30 s is \
-         20 million placements judged). It has no words for some relations, and leaves out what finds no place: it has placed \
-         {placed:.1} % of the objects here. What is not on the floor is placed for it. The original was also run, on other \
+         20 million placements judged). It has no words for some relations, and leaves out objects that it finds no place for: it has placed \
+         {placed:.1} % of the objects here. Objects that are not on the floor are placed for it. The original was also run, on other \
          problems: see [benchmarks](benchmarks.md).\n\
          - **Direct prompting** needs a model: `scenelang eval run --model …` adds its row.\n\n",
         figures.scenes,
@@ -121,9 +121,9 @@ fn resemblance(out: &mut String, figures: &Figures) {
     out.push_str(
         "\nPICTURE:evaluation-tau.svg\n\n\
          - **Comparable:** the definitions: confidence, pairing, thresholds, harmonic means.\n\
-         - **Not comparable:** similarity. The published one is of embeddings (Phrase-BERT for names, Sentence-BERT for \
+         - **Not comparable:** similarity. The published one is computed from embeddings (Phrase-BERT for names, Sentence-BERT for \
          descriptions and sentences), scaled so that what has nothing in common is at about 0.5. Ours is lexical: the trigrams \
-         that two texts share. At the same τ it asks for more, and for constraints it compares the wording of a request with a \
+         that two texts share. At the same τ it is stricter, and for constraints it compares the wording of a request with a \
          sentence that is made of a predicate. `--embeddings FILE` takes vectors of any model instead.\n\
          - A sentence in which the reader finds two constraints becomes two, one of which the request may not have in its own \
          words; that costs precision.\n\n",
@@ -140,10 +140,10 @@ fn time(out: &mut String, cases: &[Case]) {
     let _ = write!(
         out,
         "## Time\n\nOn the machine that this page was made on, which may have done other things: reading a request took \
-         {:.2} s in the middle and {:.2} s at most, laying out a scene to the end {:.2} s and {:.2} s. No test asserts that.\n\n\
+         {:.2} s in the median and {:.2} s at most, laying out a scene to the end {:.2} s and {:.2} s. No test asserts that.\n\n\
          PICTURE:evaluation-time.svg\n\n\
          ## Not measured\n\nThe scores of pictures (BLIP-2, CLIP, questions to a vision model) and the study with people need \
-         models and people; nothing here stands for them.\n",
+         models and people; nothing here takes their place.\n",
         middle(&read),
         last(&read),
         middle(&solve),

@@ -82,7 +82,7 @@ impl Edits {
 
     fn object(&mut self, name: &str, thing: &Standing) {
         if thing.id.is_some() && thing.name != name {
-            self.say(format!("`{name}` is called `{}` there now", thing.name));
+            self.say(format!("`{name}` was renamed to `{}` in the scene", thing.name));
         }
         if let Some(parent) = &thing.parent {
             self.say(format!("`{name}` was moved under `{parent}`; it is judged where it stands"));

@@ -21,7 +21,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let scene = &document["scenes"][document["scene"].as_u64().unwrap_or(0) as usize];
     let own = &scene["extras"]["scenelang"];
     let (Some(spec), Some(layout)) = (own["spec"].as_str(), own["layout"].as_str()) else {
-        return Err(nothing(format!("{name} is a GLB file without a program and a layout in it")));
+        return Err(nothing(format!("{name} is a GLB file without an embedded program and layout")));
     };
     let found = embedded(format!("{name}/layout.json"), path.join("layout.json"), layout, spec, &own["imports"]);
     let mut walk = Walk { nodes: &document["nodes"], seen: Vec::new(), left: MOST };

@@ -26,7 +26,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let own = |file: &str| text(&format!("Assets/Scenelang/{file}"));
     let (spec, layout) = (own("spec.scene.txt")?, own("layout.json")?);
     let (Some(spec), Some(layout)) = (spec, layout) else {
-        return Err(nothing(format!("{name} is a Unity project without a program and a layout in it")));
+        return Err(nothing(format!("{name} is a Unity project without an embedded program and layout")));
     };
     let imports = own("imports.json")?.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
     let file = "Assets/Scenelang/layout.json";

@@ -34,7 +34,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let own = root.metadata.get("customLayerData").and_then(|data| data.get("scenelang"));
     let said = |key: &str| own?.get(key)?.text();
     let (Some(spec), Some(layout)) = (said("spec"), said("layout")) else {
-        return Err(nothing(format!("{name} is a USD file without a program and a layout in it")));
+        return Err(nothing(format!("{name} is a USD file without an embedded program and layout")));
     };
     let is = |key: &str, usual: &str| root.metadata.get(key).and_then(Written::text).is_none_or(|v| v == usual);
     let metres = root.metadata.get("metersPerUnit").and_then(Written::numbers::<1>).is_none_or(|[v]| v == 1.0);

@@ -173,7 +173,7 @@ impl<'t> Parser<'t> {
             _ => "@",
         };
         let inner = &self.rest()[close.len()..];
-        let Some(length) = inner.find(close) else { return self.fail("a path does not end") };
+        let Some(length) = inner.find(close) else { return self.fail("a path is not closed") };
         self.at += length + 2 * close.len();
         Ok(inner[..length].to_owned())
     }
@@ -206,7 +206,7 @@ impl<'t> Parser<'t> {
                     out.push(c);
                     self.at += c.len_utf8();
                 }
-                None => return self.fail("a string does not end"),
+                None => return self.fail("a string is not closed"),
             }
         }
     }

@@ -173,7 +173,7 @@ fn each_change_is_reported_by_name() {
     assert_eq!(now.object("chair[1]").unwrap().rot, Vec3::new(0.0, 165.0, 0.0));
 
     let (said, now) = after(|d| node(d, "table")["name"] = json!("Table.001"));
-    assert_eq!(said, ["`table` is called `Table.001` there now"]);
+    assert_eq!(said, ["`table` was renamed to `Table.001` in the scene"]);
     assert!(now.object("table").is_some());
 
     let (said, now) = after(|d| d["scenes"][0]["nodes"].as_array_mut().unwrap().retain(|i| i != 0));
@@ -257,7 +257,7 @@ fn a_unity_scene_tells_what_was_changed_in_it() {
         let found = written.read(Carrier::Unity);
         said(&found).join("; ")
     };
-    assert_eq!(changed("table", "m_Name", "m_Name: Big table"), "`table` is called `Big table` there now");
+    assert_eq!(changed("table", "m_Name", "m_Name: Big table"), "`table` was renamed to `Big table` in the scene");
     assert_eq!(changed("table", "m_IsActive", "m_IsActive: 0"), "`table` was removed from the scene or switched off");
     assert_eq!(
         changed("table", "m_LocalScale", "m_LocalScale: {x: 1, y: 2, z: 1}"),

@@ -129,8 +129,8 @@ fn each_change_is_reported_by_name() {
     };
     let origin = "xformOp:translate = (0, 0, 0)";
     assert_eq!(changed("table", origin, "xformOp:translate = (-0.3, 0, 0)"), "`table` was moved by +0.300 m along x");
-    assert_eq!(changed("table", "\"table\" (", "\"Tisch\" ("), "`table` is called `Tisch` there now");
-    assert_eq!(changed("chair_0", "\"chair_0\" (", "\"chair\" ("), "`chair[0]` is called `chair` there now");
+    assert_eq!(changed("table", "\"table\" (", "\"Tisch\" ("), "`table` was renamed to `Tisch` in the scene");
+    assert_eq!(changed("chair_0", "\"chair_0\" (", "\"chair\" ("), "`chair[0]` was renamed to `chair` in the scene");
     assert_eq!(
         changed("table", "kind = \"component\"", "active = false"),
         "`table` was removed from the scene or switched off"
@@ -187,7 +187,7 @@ fn what_is_no_scene_of_ours_is_refused() {
         fs::write(&path, bytes).unwrap();
         embedded::read(name, &path, Carrier::Usd, &Door::within(folder.path())).unwrap_err().message
     };
-    assert_eq!(refused("a.usda", b"#usda 1.0\n"), "a.usda is a USD file without a program and a layout in it");
+    assert_eq!(refused("a.usda", b"#usda 1.0\n"), "a.usda is a USD file without an embedded program and layout");
     assert_eq!(
         refused("a.usda", b"#usda 1.0\ndef \"x\" {"),
         "a.usda cannot be read as USD: line 2: the file ends within a prim"

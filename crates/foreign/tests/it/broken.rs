@@ -106,7 +106,7 @@ fn the_place_and_what_was_expected_are_said() {
         )
     );
     let (code, say, _) = said(&|v| v["rooms"][0]["floorPolygon"].as_array_mut().unwrap().truncate(2));
-    assert_eq!((code.as_str(), say.as_str()), ("E0508", "a floor polygon needs at least 3 vertices, here are 2"));
+    assert_eq!((code.as_str(), say.as_str()), ("E0508", "a floor polygon needs at least 3 vertices, but there are 2"));
     let (code, say, _) = said(&|v| v["rooms"][0]["floorPolygon"].as_array_mut().unwrap().swap(1, 2));
     assert!(code == "E0508" && say.contains("crosses itself"), "{say}");
 }

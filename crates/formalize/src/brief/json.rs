@@ -339,7 +339,7 @@ fn index<'a>(what: &str, ids: impl Iterator<Item = &'a String>) -> Result<BTreeM
     let mut out = BTreeMap::new();
     for (i, id) in ids.enumerate() {
         if let Some(first) = out.insert(id.clone(), i) {
-            return Err(format!("{what}[{i}].id: \"{id}\" is the name of {what}[{first}] already"));
+            return Err(format!("{what}[{i}].id: \"{id}\" is already the name of {what}[{first}]"));
         }
     }
     Ok(out)
@@ -364,7 +364,7 @@ impl Scope<'_> {
     fn bytes(&self, path: &str, [start, end]: [usize; 2]) -> Result<Range<usize>, String> {
         match self.request.get(start..end) {
             Some(_) => Ok(start..end),
-            None => Err(format!("{path}: [{start}, {end}] are not a range of bytes in the request")),
+            None => Err(format!("{path}: [{start}, {end}] is not a range of bytes in the request")),
         }
     }
 

@@ -120,7 +120,7 @@ impl Choice<'_> {
         }
         cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
-        if self.noun.starts_with("window ") && !lit {
+        if self.noun.starts_with(stand::AT_WINDOW) && !lit {
             cost += AWAY_FROM_WINDOW;
         }
         if self.is(&["bed"]) {

@@ -147,6 +147,10 @@ pub fn counts_as(noun: &str, asked: &str) -> bool {
     if noun == "teacher desk" && asked != "desk" && !asked.contains("teacher") {
         return false;
     }
+    // Nor is a counter at which one sits and looks out the one at which guests are served.
+    if noun.starts_with(AT_WINDOW) != asked.starts_with(AT_WINDOW) {
+        return false;
+    }
     let last = |text: &str| text.rsplit(' ').next().unwrap_or(text).to_owned();
     let (head, other) = (last(noun), last(asked));
     let one_word = !noun.contains(' ') || !asked.contains(' ');
@@ -164,6 +168,9 @@ pub fn counts_as(noun: &str, asked: &str) -> bool {
                 || !easy && among(&head) && among(&other) && one_word
         })
 }
+
+/// What belongs at a window has a name that begins so.
+pub const AT_WINDOW: &str = "window ";
 
 /// Whether a thing of a draft stands on the floor: by its group, unless it is said to be on something, or to hang.
 pub fn on_floor(draft: &Draft, thing: &Thing) -> bool {

@@ -3,6 +3,7 @@
 use super::number;
 use super::paraphrase::{put, word};
 use super::token::Token;
+use crate::furnish::kinds;
 
 /// "A bookshelf wall", "a wall of books": three bookshelves side by side; so are mirrors.
 pub(super) fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
@@ -93,12 +94,38 @@ pub(super) fn school_lab(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A shop selling clothes", "a store that sells old books": the shop has a name.
+pub(super) fn sells(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let shop = word(tokens, i).to_owned();
+    if !matches!(shop.as_str(), "shop" | "store" | "boutique") {
+        return false;
+    }
+    let first = match [word(tokens, i + 1), word(tokens, i + 2)] {
+        ["selling", _] => i + 2,
+        ["that" | "which", "sells"] => i + 3,
+        _ => return false,
+    };
+    // Of "old books" the last word says what is sold.
+    for last in first..first + 3 {
+        let goods = word(tokens, last).to_owned();
+        let named = |goods: &str| kinds::of(&format!("{goods} {shop}")).is_some_and(|kind| kind.name != "shop");
+        let one = goods.strip_suffix('s').unwrap_or(&goods).to_owned();
+        if let Some(goods) = [goods, one].iter().find(|goods| !goods.is_empty() && named(goods)) {
+            put(tokens, i, last + 1, &[goods, &shop]);
+            return true;
+        }
+    }
+    false
+}
+
 /// "A window bar", "a counter along the window": one sits there and looks out.
 pub(super) fn window_counter(tokens: &mut Vec<Token>, i: usize) -> bool {
     let end = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2), word(tokens, i + 3)] {
         ["window", "bar", ..] => i + 2,
         ["counter" | "bar", "along" | "at" | "by" | "under", "the", "window" | "windows"] => i + 4,
-        ["counter", "seating" | "seats", "by" | "at" | "along", "the"] if word(tokens, i + 4).starts_with("window") => i + 5,
+        ["counter", "seating" | "seats", "by" | "at" | "along", "the"] if word(tokens, i + 4).starts_with("window") => {
+            i + 5
+        }
         _ => return false,
     };
     let article = i > 0 && matches!(word(tokens, i - 1), "a" | "the" | "one");
@@ -144,6 +171,9 @@ mod tests {
             ("a lab in a high school with a desk", "a science classroom with a desk"),
             ("a cafe with a counter along the windows", "a cafe with a window counter"),
             ("a cafe with a bar and stools", "a cafe with a bar and stools"),
+            ("a small shop selling clothes", "a small clothes shop"),
+            ("a store that sells old books and maps", "a book store and maps"),
+            ("a shop selling everything", "a shop selling everything"),
             ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
             ("a hotel with a reception", "a hotel with a reception"),
             ("a restaurant with a reception stand", "a restaurant with a host stand"),

@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 23] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 24] = [
             apart,
             together,
             each_other,
@@ -31,6 +31,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::window_counter,
             meant::counter_seats,
             meant::school_lab,
+            meant::sells,
             meant::family,
             meant::reception,
         ];

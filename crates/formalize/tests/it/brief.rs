@@ -33,7 +33,7 @@ fn what_is_wrong_is_said_with_its_place() {
         ("scenelang.brief/1", "scenelang.brief/2", "format: expected \"scenelang.brief/1\""),
         ("\"relation\": \"near\"", "\"relation\": \"nigh\"", "unknown variant `nigh`"),
         ("\"id\": \"sofa\"", "\"id\": \"couch\"", "there is no thing \"sofa\""),
-        ("\"id\": \"sofa\"", "\"id\": \"lamp\"", "things[2].id: \"lamp\" is the name of things[1] already"),
+        ("\"id\": \"sofa\"", "\"id\": \"lamp\"", "things[2].id: \"lamp\" is already the name of things[1]"),
         ("\"room\": \"study\"", "\"room\": \"attic\"", "things[0].room: there is no room \"attic\""),
         ("\"head\": 1", "\"head\": 7", "things[0].head: expected 1 to 1"),
         ("\"exactly\": 2", "\"exactly\": -2", "invalid value: integer `-2`"),

@@ -94,7 +94,7 @@ pub fn evaluate(
         Constant::Number(x) => x.is_finite(),
         Constant::Vector(v) => v.iter().all(|x| x.is_finite()),
     };
-    if finite { Ok(Some(result)) } else { Err(no(codes::E0607, "this is too large to be a number")) }
+    if finite { Ok(Some(result)) } else { Err(no(codes::E0607, "the result is too large for a number")) }
 }
 
 fn arith(op: BinaryOp, l: Constant, r: Constant) -> Result<Option<Constant>, NoValue> {

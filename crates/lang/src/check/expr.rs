@@ -757,12 +757,14 @@ fn result_of(s: &Signature, types: &[Ty]) -> Ty {
 fn hint(wanted: Ty, found: Ty) -> Option<&'static str> {
     Some(match (wanted, found) {
         (Ty::Degree, Ty::Number) => "a Number is not a Degree; declare the variable as `Degree`, or multiply by `1deg`",
-        (Ty::Number, Ty::Degree) => "degrees are no lengths; take `sin`, `cos`, or divide by `1deg`",
-        (Ty::Number | Ty::Literal, Ty::Vector3) => "take one component (`.x`, `.y`, `.z`) or the `length`",
-        (Ty::Vector3, Ty::Object) => "take a point of it: `.pos` or `.center`",
-        (Ty::Number | Ty::Literal, Ty::Object) => "take a property of it, such as `.pos.x` or `.top`",
-        (Ty::Rotation, Ty::Degree | Ty::Number | Ty::Literal) => "write `rot(0, …, 0)` for a turn about the vertical",
-        (Ty::Color | Ty::Material | Ty::String, Ty::Object) => "text stands in double quotes",
+        (Ty::Number, Ty::Degree) => "degrees are not lengths; use `sin` or `cos`, or divide by `1deg`",
+        (Ty::Number | Ty::Literal, Ty::Vector3) => "use one component (`.x`, `.y`, `.z`) or the `length`",
+        (Ty::Vector3, Ty::Object) => "use one of its points: `.pos` or `.center`",
+        (Ty::Number | Ty::Literal, Ty::Object) => "use one of its properties, such as `.pos.x` or `.top`",
+        (Ty::Rotation, Ty::Degree | Ty::Number | Ty::Literal) => {
+            "write `rot(0, …, 0)` for a rotation about the vertical axis"
+        }
+        (Ty::Color | Ty::Material | Ty::String, Ty::Object) => "text is written in double quotes",
         _ => return None,
     })
 }

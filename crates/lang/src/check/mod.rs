@@ -62,7 +62,7 @@ fn check(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             }
             for (i, p) in params.iter().enumerate() {
                 if let Some(first) = params[..i].iter().find(|q| q.name.text == p.name.text) {
-                    let message = format!("predicate `{}` has two parameters `{}`", name.text, p.name.text);
+                    let message = format!("predicate `{}` has two parameters named `{}`", name.text, p.name.text);
                     checker.push(
                         Diagnostic::new(codes::E0202, Where::Here(p.name.range), message)
                             .related(Where::Here(first.name.range), "first declared here"),

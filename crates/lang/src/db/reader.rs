@@ -119,7 +119,7 @@ impl<'a> Reader<'a> {
             self.found.push(
                 Diagnostic::new(codes::E0206, place, message)
                     .label("closes the cycle")
-                    .note("move what both files need into a third one and import that"),
+                    .note("move what both files need into a third file and import that"),
             );
             return;
         }

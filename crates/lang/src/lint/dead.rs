@@ -50,7 +50,7 @@ pub fn check(names: &dyn Names, stmt: &Stmt, scopes: &Scopes<'_>, out: Out<'_>) 
             }
             ExprKind::Binary(BinaryOp::Implies, _, left, right) => look.implication(*left, *right, out),
             ExprKind::Quantified(Quantifier::Forall, _, _, body) if stmt.expr(*body).kind == ExprKind::Bool(true) => {
-                finding(out, stmt.expr(*body).range, "`true` says nothing of what the quantifier runs over");
+                finding(out, stmt.expr(*body).range, "`true` says nothing about what the quantifier ranges over");
             }
             _ => {}
         }
@@ -157,10 +157,10 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
                 finding(out, condition.range, "`true implies` has no effect");
             }
             (ExprKind::Bool(false), _) => {
-                finding(out, condition.range, "`false implies` makes the rest say nothing");
+                finding(out, condition.range, "with `false implies` the rest has no effect");
             }
             (_, ExprKind::Bool(true)) => {
-                finding(out, conclusion.range, "`implies true` makes the rest say nothing");
+                finding(out, conclusion.range, "with `implies true` the rest has no effect");
             }
             _ if self.same(left, right) => {
                 finding(out, conclusion.range, "this follows from itself")

@@ -33,7 +33,7 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             let message = format!("{who} is kept out of `{region}`, but no statement says where it should be");
             if let Some(at) = linted.place.span(*range) {
                 let d = Diagnostic::new(codes::W0305, at, message);
-                out.push(d.note("assert the region that it is in: `inside(…, …)`"));
+                out.push(d.note("assert which region it is in: `inside(…, …)`"));
             }
         }
     }

@@ -47,7 +47,7 @@ impl Lowerer<'_, '_> {
         if let Some(span) = self.blame(range) {
             let message = format!("a filter must not depend on the layout, but this depends on {why}");
             let d = Diagnostic::new(codes::E0306, span, message).note(
-                "a filter may read color, material, features, category and role; move other conditions behind the colon",
+                "a filter may read color, material, features, category and role; move other conditions after the colon",
             );
             if !self.out.contains(&d) {
                 self.out.push(d);

@@ -454,12 +454,8 @@ impl<'a> Lowerer<'a, '_> {
         if !self.exhausted {
             self.exhausted = true;
             self.out.push(
-                Diagnostic::new(
-                    codes::E0005,
-                    span,
-                    "the program grows beyond what can be judged when it is expanded here",
-                )
-                .note(format!("at most {MAX_NODES} parts; quantify over smaller sets, or split the scene")),
+                Diagnostic::new(codes::E0005, span, "the program becomes too large to check when it is expanded here")
+                    .note(format!("the limit is {MAX_NODES} parts; quantify over smaller sets, or split the scene")),
             );
         }
     }

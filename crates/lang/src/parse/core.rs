@@ -151,7 +151,7 @@ impl<'s> Check<'s> {
             self.value(*arg);
             let named = matches!(self.expr(*arg).kind, ExprKind::Name(_) | ExprKind::Error);
             if !named && self.found.len() == before {
-                self.report(self.expr(*arg).range, "an argument here that is no name");
+                self.report(self.expr(*arg).range, "an argument here that is not a name");
             }
         }
     }

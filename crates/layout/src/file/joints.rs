@@ -18,7 +18,7 @@ impl Reader<'_, '_> {
         let what = format!("`joints` of `{name}`");
         let Some(items) = node.items() else { return self.wrong(node, &what, "an array") };
         if items.len() > MOST {
-            self.error(codes::E0505, node.range, format!("{what} are {}, more than {MOST}", items.len()));
+            self.error(codes::E0505, node.range, format!("{what} has {} entries, more than {MOST}", items.len()));
             return None;
         }
         let mut taken: Vec<usize> = Vec::new();
@@ -121,7 +121,7 @@ impl Reader<'_, '_> {
         let Some([low, high]) = node.items() else { return self.wrong(node, what, "two numbers") };
         let (low, high) = (self.length(low, what)?, self.length(high, what)?);
         if low > 0.0 || high <= 0.0 {
-            let say = format!("{what} are the minimum and maximum opening: at most 0, and greater than 0");
+            let say = format!("{what} must be the minimum opening, at most 0, and the maximum opening, greater than 0");
             self.error(codes::E0505, node.range, say);
             return None;
         }

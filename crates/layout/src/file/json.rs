@@ -225,9 +225,9 @@ impl Parser<'_, '_> {
             let item = p.value()?;
             p.blanks();
             if p.peek() == Some(b':') {
-                let say = "a key cannot stand in an array";
+                let say = "an array cannot contain keys";
                 let finding = Diagnostic::new(codes::E0501, item.range, say);
-                p.findings.push(finding.related(open, "is a `]` missing that closes this?"));
+                p.findings.push(finding.related(open, "is the `]` that closes this missing?"));
                 return Err(Stop);
             }
             items.push(item);
@@ -268,7 +268,7 @@ impl Parser<'_, '_> {
             match self.peek() {
                 Some(b',') => {
                     if comma.is_some() || end.is_none() {
-                        self.fixable(here, "there is a comma too many", "remove the comma", here, "");
+                        self.fixable(here, "there is an extra comma", "remove the comma", here, "");
                     }
                     comma = Some(here);
                     self.at += 1;
@@ -282,7 +282,8 @@ impl Parser<'_, '_> {
                 }
                 None | Some(b']' | b'}') => {
                     let opened = char::from(self.text.as_bytes()[open.bytes()][0]);
-                    let what = if self.peek().is_none() { "the file ends before" } else { "this does not close" };
+                    let what =
+                        if self.peek().is_none() { "the file ends without closing" } else { "this does not close" };
                     let finding = Diagnostic::new(codes::E0501, here, format!("{what} the `{opened}` opened earlier"));
                     self.findings.push(finding.related(open, "opened here"));
                     return Err(Stop);
@@ -308,7 +309,7 @@ impl Parser<'_, '_> {
             let range = TextRange::new(start, start + word);
             let key = self.text[range.bytes()].to_owned();
             self.at += word;
-            self.fixable(range, "keys stand in double quotes", "add the quotes", range, format!("\"{key}\""));
+            self.fixable(range, "keys are written in double quotes", "add the quotes", range, format!("\"{key}\""));
             key
         } else {
             let at = self.here();
@@ -351,8 +352,8 @@ impl Parser<'_, '_> {
         }
         let say = match word.to_ascii_lowercase().as_str() {
             "nan" | "infinity" | "inf" => format!("JSON has no number `{word}`"),
-            lower @ ("true" | "false" | "null") => format!("JSON writes `{lower}` in small letters"),
-            _ => format!("`{word}` means nothing in JSON; strings stand in double quotes"),
+            lower @ ("true" | "false" | "null") => format!("JSON writes `{lower}` in lower case"),
+            _ => format!("`{word}` means nothing in JSON; strings are written in double quotes"),
         };
         self.error(range, say);
         Json::Invalid
@@ -366,7 +367,7 @@ impl Parser<'_, '_> {
         let written = &self.text[range.bytes()];
         let shown = if written.len() > 40 { "this" } else { written };
         if !is_number(written) {
-            self.error(range, format!("JSON cannot write a number as {shown}"));
+            self.error(range, format!("in JSON a number cannot be written as {shown}"));
             return Json::Invalid;
         }
         match written.parse::<f64>() {
@@ -392,7 +393,7 @@ impl Parser<'_, '_> {
                 Some(c) if c == quote => break,
                 Some(b'\\') => self.escape(&mut out),
                 None | Some(b'\n' | b'\r') => {
-                    self.error(TextRange::new(start, self.at), "the string does not end in its line");
+                    self.error(TextRange::new(start, self.at), "the string is not closed on its line");
                     return Err(Stop);
                 }
                 Some(c) => {
@@ -406,7 +407,7 @@ impl Parser<'_, '_> {
         if quote == b'\'' {
             let range = TextRange::new(start, self.at);
             let quoted = serde_json::Value::from(out.as_str()).to_string();
-            self.fixable(range, "strings stand in double quotes", "use double quotes", range, quoted);
+            self.fixable(range, "strings are written in double quotes", "use double quotes", range, quoted);
         }
         Ok(out)
     }

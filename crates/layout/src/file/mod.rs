@@ -55,7 +55,7 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, Box<Diagnostic>> {
         let good = e.utf8_error().valid_up_to();
         let line = e.as_bytes()[..good].iter().filter(|b| **b == b'\n').count() + 1;
         let byte = e.as_bytes().get(good).copied().unwrap_or_default();
-        let say = format!("the file is not valid UTF-8: there is a byte {byte:02x} in line {line}");
+        let say = format!("the file is not valid UTF-8: there is a byte {byte:02x} on line {line}");
         Box::new(Diagnostic::without_place(codes::E0003, say))
     })
 }

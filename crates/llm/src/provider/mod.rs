@@ -104,7 +104,7 @@ impl Target {
             return setup(format!("a model is written PROVIDER:NAME; the providers are {}", known()));
         };
         let Some(provider) = PROVIDERS.iter().find(|p| p.name == provider) else {
-            return setup(format!("there is no provider `{provider}`; there are {}", known()));
+            return setup(format!("there is no provider `{provider}`; valid names: {}", known()));
         };
         // The name becomes part of an address.
         let fits = |c: char| c.is_ascii_alphanumeric() || "._-:/@".contains(c);
@@ -352,7 +352,7 @@ mod tests {
             ),
             ("compatible:qwen", None, Err("--base-url says where it is")),
             ("gpt-4o", None, Err("PROVIDER:NAME")),
-            ("opnai:gpt-4o", None, Err("there is no provider `opnai`; there are openai, anthropic, gemini")),
+            ("opnai:gpt-4o", None, Err("there is no provider `opnai`; valid names: openai, anthropic, gemini")),
             ("openai:", None, Err("cannot be the name of a model")),
             ("gemini:../../x", None, Err("cannot be the name of a model")),
             ("gemini:x?key=1", None, Err("cannot be the name of a model")),

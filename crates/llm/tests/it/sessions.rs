@@ -143,7 +143,7 @@ fn a_budget_stops_everything() {
         (
             Budget { money: Some(0.41), ..Budget::default() },
             2,
-            "the budget is used up: 0.4000 of 0.41 in money, and the next question needs more",
+            "the budget is used up: 0.4000 of the money budget of 0.41 is spent, and the next question needs more",
         ),
         (Budget { calls: Some(0), ..Budget::default() }, 0, "the budget is used up: 0 of 0 calls"),
     ] {

@@ -246,7 +246,7 @@ fn long_edits_are_worked_out_when_they_are_chosen() {
             // Of another text it is the edit for that, or none.
             client.set(&uri, &format!("// cups\n{scene}"));
             let (_, late) = client.refused("codeAction/resolve", action);
-            assert!(late.contains("is not possible there any more"), "{late}");
+            assert!(late.contains("is no longer possible there"), "{late}");
             client.set(&uri, &text);
             action = whole;
         }

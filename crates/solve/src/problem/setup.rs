@@ -146,7 +146,8 @@ fn outline(program: &Program, layout: &mut Layout, options: &Options, warnings: 
                     Ok(_) => region.vertices = Some(corners),
                     Err(why) => {
                         let name = &program.regions[id.0 as usize].name;
-                        warnings.push(format!("`{name}` has no such outline, and is laid out as a rectangle: {why}"));
+                        warnings
+                            .push(format!("`{name}` cannot have this outline and is laid out as a rectangle: {why}"));
                     }
                 }
             }
@@ -205,7 +206,7 @@ fn size(program: &Program, terms: &[Term], layout: &mut Layout, options: &Option
             stretch(placement, next);
             if had_parts && placement.parts.is_empty() {
                 warnings.push(format!(
-                    "the size of `{name}` was changed; its parts do not stretch that way, so its box counts"
+                    "the size of `{name}` was changed; its parts cannot be stretched that way, so its box is used"
                 ));
             }
         }

@@ -33,7 +33,7 @@ pub fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, S
         (false, _) => Ok(meant),
         // Of physical rules only those are listed that fail.
         (true, None) if asked.starts_with("P-") => Ok(meant),
-        (true, Some(line)) => Err(format!("there is no constraint in line {line} of {main}")),
+        (true, Some(line)) => Err(format!("there is no constraint on line {line} of {main}")),
         (true, None) => Err(format!("there is no constraint `{asked}`")),
     }
 }

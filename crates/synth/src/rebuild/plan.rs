@@ -79,7 +79,7 @@ fn touched(folder: &Path, state: &State) -> Vec<String> {
     let is_missing = |file: &&String| !folder.join(file.as_str()).is_file();
     let missing: Vec<&str> = state.files.iter().filter(is_missing).map(String::as_str).collect();
     vec![match missing.as_slice() {
-        [] => "its files are not as they were written".to_owned(),
+        [] => "its files were changed since they were written".to_owned(),
         [one] => format!("{one} is missing"),
         some if some.len() <= NAMED => format!("{} are missing", some.join(", ")),
         many => format!("{} and {} more are missing", many[..NAMED].join(", "), many.len() - NAMED),

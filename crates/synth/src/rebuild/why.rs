@@ -43,7 +43,7 @@ pub fn of_layout(before: &Inputs, now: &Inputs) -> Vec<String> {
         let sentence = match (kind, change) {
             // It follows from the assignment that is told.
             ("value", _) => continue,
-            ("object", Change::Changed) => format!("`{rest}` has another shape or role"),
+            ("object", Change::Changed) => format!("`{rest}` has a different shape or role"),
             ("rules", _) => "other objects are contained, mounted or connected".to_owned(),
             ("judging", _) => "the settings of the check have changed".to_owned(),
             ("seed" | "effort" | "quality", _) => {
@@ -117,7 +117,7 @@ mod tests {
         let new = inputs(&[("assert b", "1"), ("object lamp", "2"), ("seed", "7")]);
         let wanted = [
             "`assert b` was added",
-            "`lamp` has another shape or role",
+            "`lamp` has a different shape or role",
             "--seed was 0, is 7",
             "`assert a` was removed",
         ];

@@ -112,7 +112,7 @@ impl Semantics for Clear {
         let (region, prism) = region_of(call.world, id, side)?;
         let (left, _) = room_left(call.world, id, side, &space, prism);
         let region = &names.regions[region.0 as usize].name;
-        (left < -contact).then(|| format!("that space beside `{name}` leaves `{region}` by {}", metres(-left)))
+        (left < -contact).then(|| format!("that space beside `{name}` extends beyond `{region}` by {}", metres(-left)))
     }
 
     fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {

@@ -71,7 +71,7 @@ pub(super) fn measured(
             call.words(program).unwrap_or_default()
         }
         Node::SamePolygon(region, _) => {
-            format!("the outline of `{}` is another polygon", program.regions[region.0 as usize].name)
+            format!("the outline of `{}` is a different polygon", program.regions[region.0 as usize].name)
         }
         _ => String::new(),
     }

@@ -93,10 +93,9 @@ fn missing(what: &str, key: &str, read: &ReadLayout, block: &Block, own: &[&Smol
     }
     let plural = if lacking.len() > 1 { "s" } else { "" };
     let message = format!("{what}{plural} missing from the layout: {}", names.join(", "));
-    out.push(
-        Diagnostic::new(codes::E0507, read.places.block(key), message)
-            .note(format!("statements that depend on the missing {what}{plural} cannot be checked; all others are")),
-    );
+    out.push(Diagnostic::new(codes::E0507, read.places.block(key), message).note(format!(
+        "statements that depend on the missing {what}{plural} cannot be checked; all others are checked"
+    )));
 }
 
 /// Whether a block could not be read, which has been told of.

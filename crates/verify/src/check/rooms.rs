@@ -69,7 +69,7 @@ fn too_close(
         let (a, b) = (&program.regions[a.0 as usize], &program.regions[b.0 as usize]);
         let metres = |x: f64| number(x, Unit::Metre);
         let message = format!(
-            "`{}` and `{}` are {} m apart, their walls need {} m",
+            "`{}` and `{}` are {} m apart, but their walls need {} m",
             a.name,
             b.name,
             metres(least),

@@ -82,7 +82,7 @@ pub fn judge_one(
             }
             (row, None)
         }
-        Ok(other) => unreachable!("a constraint that is no truth: {other:?}"),
+        Ok(other) => unreachable!("a constraint that is not a truth value: {other:?}"),
         Err(error) => {
             row.objects = objects(constraint, error.node);
             row.measured = format!("cannot be judged: {}", reason(program, error.cause));

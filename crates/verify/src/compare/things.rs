@@ -233,8 +233,8 @@ fn resized(from: Vec3, to: Vec3) -> Option<Change> {
 fn reshaped(x: &RegionPlacement, y: &RegionPlacement) -> Change {
     let corners = |r: &RegionPlacement| r.vertices.as_ref().map_or(4, Vec::len);
     let words = match (corners(x), corners(y)) {
-        (a, b) if a == b => format!("another outline of {b} corners"),
-        (a, b) => format!("an outline of {b} corners, was {a}"),
+        (a, b) if a == b => format!("a different outline with {b} corners"),
+        (a, b) => format!("an outline with {b} corners, was {a}"),
     };
     Change {
         what: What::Reshaped,
@@ -265,7 +265,7 @@ fn asset(before: &Json, after: &Json) -> Option<Change> {
     names.retain(|key| before.get(key) != after.get(key));
     let words = match (before, after) {
         (Json::Null, _) => "it has an asset now".to_owned(),
-        (_, Json::Null) => "it has no asset any more".to_owned(),
+        (_, Json::Null) => "it no longer has an asset".to_owned(),
         _ => format!("other {}", names.join(", ")),
     };
     Some(Change { what: What::Asset, words, amount: None, before: None, after: None })

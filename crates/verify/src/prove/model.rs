@@ -246,7 +246,7 @@ impl Builder<'_> {
                 let Some(solid) = unknowns.solid_of(self.program, self.options, other) else { continue };
                 let apart = unknowns.apart_along_axes([&space, &solid], SKEW);
                 let (of, name) = (self.name(owner), self.name(other));
-                let what = Source::Rule(format!("`{name}` is not in the space that is free beside `{of}`"));
+                let what = Source::Rule(format!("`{name}` is not in the free space beside `{of}`"));
                 let premises = rests(unknowns, &[owner, other], &[]);
                 self.given.push(Given { claim: implies(free, apart), what, premises });
             }

@@ -281,8 +281,8 @@ impl Packing {
             let covers: f64 = upright.iter().map(|&i| footprint(state, &group.members[i])).map(|[w, d]| w * d).sum();
             let what = things(upright.len(), None);
             let say = match around {
-                0.0 => format!("{what} cover {} m², and the floor has {} m²", short(covers), short(floor)),
-                _ => format!("{what} that keep {} m between them do not fit the floor", short(2.0 * around)),
+                0.0 => format!("{what} cover {} m², but the floor has {} m²", short(covers), short(floor)),
+                _ => format!("{what} that keep {} m between them do not fit on the floor", short(2.0 * around)),
             };
             *self.said.borrow_mut() = Some(say);
         }
@@ -393,7 +393,7 @@ impl Packing {
                     None => String::new(),
                 };
                 let fit = points.len();
-                let say = format!("{what} do not fit a floor of {w} × {d} m{apart}: at most {fit} fit");
+                let say = format!("{what} do not fit on a floor of {w} × {d} m{apart}: at most {fit} fit");
                 *self.said.borrow_mut() = Some(say);
                 return Err(Conflict(state.event(What::Conflict(Rule::Beside { fit: points.len() as u32 }), &why)));
             }
@@ -460,8 +460,8 @@ fn footprint(state: &State, member: &Member<Affine>) -> [f64; 2] {
 /// So many things, of one size in words or of several.
 fn things(count: usize, size: Option<[String; 2]>) -> String {
     match size {
-        Some([w, d]) => format!("{count} things of {w} × {d} m"),
-        None => format!("{count} things"),
+        Some([w, d]) => format!("{count} objects of {w} × {d} m"),
+        None => format!("{count} objects"),
     }
 }
 

@@ -12,8 +12,8 @@ use scenelang_base::{Diagnostic, Span, codes};
 use scenelang_lang::program::Program;
 
 /// Of a contradiction that rests on what is usual.
-const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: rooms are taken to be \
-    unturned, and things to stand upright on the floor, as `solve` places them";
+const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: rooms are assumed to be \
+    unrotated, and objects to stand upright on the floor, as `solve` places them";
 
 /// Findings as diagnostics.
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
@@ -49,7 +49,7 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         (None, []) => String::new(),
         (None, [one]) => format!(": {one}"),
         (None, [one, two]) => format!(": {one}, {two}"),
-        (None, [one, rest @ ..]) => format!(": {one}, and {} more rules take part", rest.len()),
+        (None, [one, rest @ ..]) => format!(": {one}, and {} more rules are involved", rest.len()),
     };
     // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
     let speaks = |s: &usize| !of(*s).formula.objects().is_empty();

@@ -179,7 +179,7 @@ fn named(program: &Program, name: &str) -> Result<Vec<ObjectId>, String> {
         return Ok(found);
     }
     if program.regions.iter().any(|region| region.name == name) {
-        return Err(format!("`{name}` is a region; objects can be asked for"));
+        return Err(format!("`{name}` is a region; only objects can be queried"));
     }
     let arrays = program.objects.iter().filter_map(|object| object.array.as_ref().map(|(array, _)| array.as_str()));
     let known: Vec<&str> = program.objects.iter().map(|object| object.name.as_str()).chain(arrays).collect();

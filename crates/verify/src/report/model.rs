@@ -134,8 +134,8 @@ impl Unlisted {
     /// What fails and is not listed, in a sentence.
     pub fn failing_in_words(&self) -> Option<String> {
         let Self { failing, .. } = self;
-        let verb = if *failing == 1 { "fails" } else { "fail" };
-        (*failing > 0).then(|| format!("{failing} more physical rules {verb}; those that {verb} most are listed"))
+        let rules = if *failing == 1 { "rule fails" } else { "rules fail" };
+        (*failing > 0).then(|| format!("{failing} more physical {rules}; those that fail by the most are listed"))
     }
     /// What holds and is not listed, in a sentence.
     pub fn holding_in_words(&self) -> Option<String> {

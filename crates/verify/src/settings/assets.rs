@@ -157,7 +157,7 @@ mod tests {
             ("assets = 1", "`assets` takes a table, not a number"),
             ("[assets]\nfolder = 1", "there is no setting of assets `folder`; did you mean `folders`?"),
             ("[assets]\nfolders = \"a\"", "`folders` takes a list of folders, of at most 64 strings"),
-            ("[assets]\norder = [\"box\"]", "there is no provider `box`; there are local, generator, library"),
+            ("[assets]\norder = [\"box\"]", "there is no provider `box`; valid names: local, generator, library"),
             ("[assets]\norder = [\"local\", \"local\"]", "`order` names \"local\" twice"),
             ("[assets]\ncache = 1", "`cache` takes true or false, not a number"),
             ("[assets]\nleast = -1", "`least` takes a number from 0 to 1000000"),

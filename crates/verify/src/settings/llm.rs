@@ -131,7 +131,7 @@ impl Reader {
         let (Some(input), Some(output)) = (table.get("input"), table.get("output")) else {
             self.error(
                 whole.span(),
-                format!("the price of `{model}` needs `input` and `output`, each for a million tokens"),
+                format!("the price of `{model}` needs `input` and `output`, each per million tokens"),
             );
             return None;
         };

@@ -45,7 +45,8 @@ impl Maker for Command {
 
     fn make(&self, order: &Order, watch: &Watch) -> Result<Vec<u8>, String> {
         let (program, arguments) = self.argv.split_first().ok_or("no program is named")?;
-        let folder = tempfile::tempdir().map_err(|e| format!("there is no place for what it makes: {e}"))?;
+        let folder =
+            tempfile::tempdir().map_err(|e| format!("cannot create a temporary folder for its output: {e}"))?;
         let out = folder.path().join("model.glb");
         let asked = json!({
             "format": FORMAT,
@@ -61,12 +62,12 @@ impl Maker for Command {
         let child = process.spawn().map_err(|e| format!("{} cannot be started: {e}", short(program)))?;
         let said = run(Ended(child), asked.to_string() + "\n", watch)?;
         let bytes = if out.is_file() {
-            Door::within(folder.path()).read(&out).map_err(|e| format!("what it made cannot be read: {e}"))?
+            Door::within(folder.path()).read(&out).map_err(|e| format!("its output cannot be read: {e}"))?
         } else {
             said
         };
         if bytes.is_empty() {
-            return Err("it made nothing: neither was there a file where the order says `out`, nor a GLB file on standard output".into());
+            return Err("it made nothing: there was neither a file at the path `out` of the order nor a GLB file on standard output".into());
         }
         Ok(bytes)
     }
@@ -124,12 +125,12 @@ fn run(mut process: Ended, input: String, watch: &Watch) -> Result<Vec<u8>, Stri
         match child.try_wait() {
             Ok(Some(status)) => break status,
             Ok(None) => watch.wait(LOOK)?,
-            Err(e) => return Err(format!("it cannot be waited for: {e}")),
+            Err(e) => return Err(format!("cannot wait for it: {e}")),
         }
     };
     let bytes = loop {
         match written.recv_timeout(LOOK) {
-            Ok(bytes) => break bytes.map_err(|e| format!("what it wrote cannot be read: {e}"))?,
+            Ok(bytes) => break bytes.map_err(|e| format!("its standard output cannot be read: {e}"))?,
             Err(std::sync::mpsc::RecvTimeoutError::Disconnected) => break Vec::new(),
             Err(std::sync::mpsc::RecvTimeoutError::Timeout) => {
                 if let Some(why) = watch.over() {

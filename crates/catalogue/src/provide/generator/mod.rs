@@ -240,8 +240,8 @@ impl AssetProvider for Generator {
                 orders.insert(at, (keys[at].clone(), order(query)));
             } else {
                 let say = match self.bounds.most {
-                    0 => "nothing may be made in this run".to_owned(),
-                    most => format!("the most in one run is {most} models"),
+                    0 => "no models may be made in this run".to_owned(),
+                    most => format!("the maximum for one run is {most} models"),
                 };
                 made.insert(at, Err(Remark::new(Why::Budget, say)));
             }
@@ -265,7 +265,7 @@ impl AssetProvider for Generator {
 /// Whether a file that was made can be used.
 fn judged(bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     if bytes.len() > limits::BYTES {
-        return Err(beyond(format!("it has more than {} MB", limits::BYTES >> 20)));
+        return Err(beyond(format!("it is larger than {} MB", limits::BYTES >> 20)));
     }
     let raw = glb::read(bytes)?;
     Model::new("", Card::default(), raw, Axes::RightHanded, Vec::new()).map(drop)
@@ -273,7 +273,7 @@ fn judged(bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
 
 /// What a model that was made is called in remarks.
 fn named(prompt: &str) -> String {
-    format!("what was made of \"{}\"", short(prompt))
+    format!("the model made for \"{}\"", short(prompt))
 }
 
 /// Text of others on one line, not too long.

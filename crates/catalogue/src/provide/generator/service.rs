@@ -150,12 +150,12 @@ fn tripo(said: &Value) -> State {
 fn done(urls: &[&Value]) -> State {
     match urls.iter().find_map(|url| url.as_str()) {
         Some(url) => State::Done(url.to_owned()),
-        None => State::Failed("it is done, and there is no file".to_owned()),
+        None => State::Failed("it is done, but there is no file".to_owned()),
     }
 }
 
 fn why(said: &Value, status: Option<&str>) -> String {
-    said.as_str().filter(|s| !s.is_empty()).or(status).unwrap_or("it says nothing of its state").to_owned()
+    said.as_str().filter(|s| !s.is_empty()).or(status).unwrap_or("it does not report its state").to_owned()
 }
 
 /// The name of a task, which becomes part of an address.
@@ -167,7 +167,7 @@ fn id(said: &Value) -> Result<&str, String> {
 }
 
 fn json_of(bytes: &[u8]) -> Result<Value, String> {
-    serde_json::from_slice(bytes).map_err(|_| "the service answered with something that is no JSON".to_owned())
+    serde_json::from_slice(bytes).map_err(|_| "the service answered with something that is not JSON".to_owned())
 }
 
 /// An error in the words of a service.
@@ -175,9 +175,9 @@ fn told(error: Error) -> String {
     match error {
         Error::Unreachable(why) => format!("the service cannot be reached: {why}"),
         Error::TimedOut(after) => format!("the service gave no complete answer within {} s", after.as_secs_f64()),
-        Error::TooLarge(most) => format!("what the service made is larger than {} MB", most >> 20),
-        Error::Malformed(why) => format!("the service's answer is not what was asked for: {why}"),
-        Error::Limited { said, .. } => format!("the service has had too many requests: {said}"),
+        Error::TooLarge(most) => format!("the file from the service is larger than {} MB", most >> 20),
+        Error::Malformed(why) => format!("the service's answer does not have the expected form: {why}"),
+        Error::Limited { said, .. } => format!("the service has received too many requests: {said}"),
         other => other.to_string().replace("the provider", "the service"),
     }
 }

@@ -56,8 +56,9 @@ impl Reader<'_> {
             }
             None => {
                 self.brief.facts.truncate(first);
-                let reason = "the request does not say for which others this does not hold, so it became no statement"
-                    .to_owned();
+                let reason =
+                    "the request does not say for which others this does not hold, so no statement expresses it"
+                        .to_owned();
                 self.brief.notes.push(Note { at: self.s.at.clone(), reason });
             }
         }

@@ -82,7 +82,7 @@ const UNASSERTED: &str = "a condition alone says nothing: assert it, or prefer i
 pub fn attribute(site: &Site<'_>) -> Option<Finding> {
     if site.at == site.head && site.head > 0 && site.found().is_none() {
         let place = site.ranges[0].cover(site.behind(site.at - 1));
-        let diagnostic = Diagnostic::new(E0110, place, "`@req` stands before the statement that it explains");
+        let diagnostic = Diagnostic::new(E0110, place, "`@req` must be followed by the statement that it explains");
         return Some(diagnostic.label(format!("expected a statement after it, found {}", site.name_of(site.at))));
     }
     let start = (0..site.at).rev().find(|&at| site.kinds[at] == Kind::Req)?;
@@ -216,7 +216,9 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
             let other_case = near.eq_ignore_ascii_case(site.slice(site.head));
             let applicability = if other_case { Applicability::Safe } else { Applicability::Unsafe };
             let diagnostic = match near {
-                "Number" if !other_case => diagnostic.label("a variable begins with its type, like `Number`"),
+                "Number" if !other_case => {
+                    diagnostic.label("a variable declaration begins with a type, such as `Number`")
+                }
                 _ => diagnostic.label(format!("did you mean `{near}`?")),
             };
             Some(diagnostic.fix(applicability, format!("write `{near}`"), head, near))

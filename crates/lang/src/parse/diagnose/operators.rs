@@ -108,12 +108,9 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             let diagnostic = Diagnostic::new(E0110, place, "`weight` belongs to `prefer`");
             let keyword = site.range(site.head);
             Some(match site.kind(site.head) {
-                Some(Kind::Assert) => diagnostic.related(keyword, "everything that is asserted is hard").fix(
-                    Applicability::Unsafe,
-                    "prefer it instead",
-                    keyword,
-                    "prefer",
-                ),
+                Some(Kind::Assert) => diagnostic
+                    .related(keyword, "assertions are hard constraints and have no weight")
+                    .fix(Applicability::Unsafe, "prefer it instead", keyword, "prefer"),
                 _ => diagnostic,
             })
         }
