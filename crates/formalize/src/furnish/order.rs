@@ -44,6 +44,8 @@ impl Order {
         let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
         let (fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
+        // A wall of books takes the longest wall.
+        first.sort_by_key(|at| !is_wall_of(plan, *at));
         let many = |at: &usize| {
             let thing = &plan.draft.things[*at];
             thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
@@ -76,6 +78,13 @@ impl Order {
         });
         early.map(|(_, line)| line).collect()
     }
+}
+
+/// Whether these are so many shelves side by side that they make a wall.
+fn is_wall_of(plan: &Plan, at: usize) -> bool {
+    const WALL: usize = 3;
+    let thing = &plan.draft.things[at];
+    thing.count >= WALL && stand::is_unit(&thing.category.replace('_', " "), thing.count)
 }
 
 /// Whether something at which people sit leaves the walls to what stands there: the table of a kitchen to its cupboards, that

@@ -68,7 +68,7 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
         (sits, !at_back(category))
     });
     let windows = brief.things.iter().any(|t| t.room == at && t.group == Group::Window)
-        || closed.iter().any(|name| name.contains("window"))
+        || closed.iter().any(|name| name.ends_with("window") || name.ends_with("windows"))
         || draft.outdoor;
     let room = &mut draft.rooms[at];
     taste::surfaces(kind, &mut room.floor, &mut room.walls);

@@ -42,11 +42,11 @@ pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
             [x * w, z * d]
         })
         .collect();
-    if noun.starts_with("pendant") {
-        let over = tables(plan);
-        if !over.is_empty() && !outline {
-            places = over;
-        }
+    let over = tables(plan);
+    // So does the one light of a room whose table has its place in the middle, or nearly there.
+    let one_over_one = one_table && places.len() == 1 && over.len() == 1;
+    if (noun.starts_with("pendant") || one_over_one) && !over.is_empty() && !outline {
+        places = over;
     }
     let n = places.len();
     let thing = plan.add(noun, n, size, why);
@@ -123,8 +123,8 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
             let is_free = |at: &Pose| ground.fits(&shape, at);
             let piece = Piece { size: [cell_w + 2.0 * ROUND, cell[1], cell_d + 2.0 * ROUND], ..piece };
             let wider = Shape { pieces: vec![piece], free: Vec::new() };
-            // Tables with seats at both sides move aside together for what stands there already.
-            if is_table && back > size[2] / 2.0 + SEATED {
+            // Tables with seats at both sides, and groups of desks, move aside together for what stands there already.
+            if facing || is_table && back > size[2] / 2.0 + SEATED {
                 places = shifted(&places, &|at| ground.fits(&wider, at));
             }
             places.retain(is_free);
@@ -181,7 +181,7 @@ fn shifted(places: &[Pose], is_free: &dyn Fn(&Pose) -> bool) -> Vec<Pose> {
         let by = |at: &Pose| Pose { x: at.x + STEP * f64::from(x), z: at.z + STEP * f64::from(z), ..*at };
         places.iter().map(by).collect()
     };
-    let mut shifts: Vec<(i32, i32)> = (-FAR..=FAR).flat_map(|x| (-2..=2).map(move |z| (x, z))).collect();
+    let mut shifts: Vec<(i32, i32)> = (-FAR..=FAR).flat_map(|x| (-FAR..=FAR).map(move |z| (x, z))).collect();
     shifts.sort_by_key(|(x, z)| (x.abs() + z.abs(), *x, *z));
     let free = |places: &[Pose]| places.iter().filter(|at| is_free(at)).count();
     let mut best = (free(places), places.to_vec());
@@ -320,11 +320,21 @@ fn grid(
     // Desks of a class stand in pairs, unless more have room one by one.
     let pairs = || cells(plan, room, noun, size, reach, (n, 2), how);
     let paired = if how.0 && n > PAIRED && is_desk(noun) { pairs() } else { None };
+    let single = || cells(plan, room, noun, size, reach, (n, 1), how);
     if paired.as_ref().is_some_and(|places| places.len() >= n) {
-        return paired;
+        // An odd number has full lines only where each stands alone.
+        let full = |places: &Vec<Pose>| places.len() >= n && lines_are_full(places);
+        return single().filter(|places| n % 2 == 1 && full(places)).or(paired);
     }
-    let single = cells(plan, room, noun, size, reach, (n, 1), how);
+    let single = single();
     [paired, single].into_iter().flatten().reduce(|best, next| if next.len() > best.len() { next } else { best })
+}
+
+/// Whether as many stand in each line.
+fn lines_are_full(places: &[Pose]) -> bool {
+    let mut lines: std::collections::BTreeMap<i64, usize> = std::collections::BTreeMap::new();
+    places.iter().for_each(|at| *lines.entry((at.z * 1000.0).round() as i64).or_default() += 1);
+    lines.values().all(|n| Some(n) == lines.values().next())
 }
 
 /// How much of the depth of a room is free before rows that look to the back; behind what is kept free before a counter there

@@ -37,8 +37,9 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
     let used = |x: &str| access.as_ref().map_or(String::new(), |a| format!(" and clear({x}, front, {a})"));
     let at = poses.first().copied().unwrap_or(*nominal);
     let fixed = |at: &Pose| place::absolute(&name, &room, [at.x, at.y, at.z], at.yaw);
-    // Against the wall to a millimetre, so that what is on the wall above it touches the wall, too.
-    let back = |x: &str| format!("onFloor({x}, {room}) and backToWall({x}, {room}, 0.01)");
+    // Against the wall to a millimetre, so that what is on the wall above it touches the wall, too; or against a railing.
+    let near = metres(0.01 + plan.ground.as_ref().map_or(0.0, |ground| ground.edge));
+    let back = |x: &str| format!("onFloor({x}, {room}) and backToWall({x}, {room}, {near})");
     let text = match &line.place {
         _ if hung && matches!(line.place, Place::Hung | Place::Wall) => {
             every(&|x| format!("wallMounted({x}, {room}) and {x}.bottom = {}", metres(y)))

@@ -58,6 +58,39 @@ pub(super) fn audience(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A lobby with a desk and seating": a part of the room with seats.
+pub(super) fn seating(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let bare = i > 0 && matches!(word(tokens, i - 1), "and" | "with" | "some" | "comfortable" | "has");
+    let ends = tokens.get(i + 1).is_none_or(|t| !t.word() || t.is("and"));
+    if word(tokens, i) != "seating" || !bare || !ends {
+        return false;
+    }
+    let first = i - usize::from(word(tokens, i - 1) == "some");
+    put(tokens, first, i + 1, &["a", "seating", "area"]);
+    true
+}
+
+/// "A cafe with eight seats and a bookshelf": it is for eight people, who sit at its tables.
+pub(super) fn covers(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SERVE: [&str; 9] =
+        ["cafe", "café", "restaurant", "bistro", "diner", "tearoom", "canteen", "cafeteria", "trattoria"];
+    let before = tokens[..i].iter().rev().take(4).any(|t| SERVE.iter().any(|place| t.is(place)));
+    if word(tokens, i) != "with" || !before {
+        return false;
+    }
+    let Some((_, used)) = number::count(tokens.get(i + 1..).unwrap_or_default()) else { return false };
+    let seats = i + 1 + used;
+    if !matches!(word(tokens, seats), "seats" | "covers" | "places") {
+        return false;
+    }
+    if word(tokens, seats + 1) == "and" {
+        put(tokens, seats + 1, seats + 2, &["with"]);
+    }
+    put(tokens, seats, seats + 1, &["people"]);
+    put(tokens, i, i + 1, &["for"]);
+    true
+}
+
 /// "Counter seating": stools at a bar.
 pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     let seats = matches!(word(tokens, i + 1), "seating" | "seats");
@@ -174,6 +207,12 @@ mod tests {
             ("a small shop selling clothes", "a small clothes shop"),
             ("a store that sells old books and maps", "a book store and maps"),
             ("a shop selling everything", "a shop selling everything"),
+            ("a cosy cafe with eight seats and a bookshelf", "a cosy cafe for eight people with a bookshelf"),
+            ("a cafe with eight seats", "a cafe for eight people"),
+            ("a hall with eight seats", "a hall with eight seats"),
+            ("a lobby with a desk and seating", "a lobby with a desk and a seating area"),
+            ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
+            ("a hall seating twenty people", "a hall for twenty people"),
             ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
             ("a hotel with a reception", "a hotel with a reception"),
             ("a restaurant with a reception stand", "a restaurant with a host stand"),

@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 24] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 26] = [
             apart,
             together,
             each_other,
@@ -32,6 +32,8 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::counter_seats,
             meant::school_lab,
             meant::sells,
+            meant::covers,
+            meant::seating,
             meant::family,
             meant::reception,
         ];
