@@ -1,6 +1,6 @@
 //! Animals on four legs, as toys, as figures and (a horse) as they are; a duck for the bath and a pig for coins.
 
-use super::strokes::{at, headed, of, small};
+use super::strokes::{at, headed, of, pearl, small};
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
@@ -185,9 +185,9 @@ fn marks(
             let (t, side) = (f64::from(k / 2) / 6.0, if k % 2 == 0 { 1.0 } else { -1.0 });
             let z = -0.7 * long + 1.4 * long * t;
             let x = 0.72 * thick * (1.0 - (z / long).powi(2)).sqrt();
-            mesh.bead(block(-0.05..0.05, -0.08..0.08, -0.07..0.07).moved(side * x, legs + 1.2 * thick, z), &spot);
+            pearl(mesh, block(-0.05..0.05, -0.08..0.08, -0.07..0.07).moved(side * x, legs + 1.2 * thick, z), &spot);
             let on = root + (top - root) * (0.15 + 0.7 * t);
-            mesh.bead(block(-0.04..0.04, -0.06..0.06, -0.05..0.05).moved(side * (0.1 - 0.03 * t), on.y, on.z), &spot);
+            pearl(mesh, block(-0.04..0.04, -0.06..0.06, -0.05..0.05).moved(side * (0.1 - 0.03 * t), on.y, on.z), &spot);
         }
         for side in [-1.0, 1.0] {
             mesh.rod(at(side * 0.06, top.y + 0.1, top.z), at(side * 0.08, top.y + 0.3, top.z - 0.02), 0.025, &spot);

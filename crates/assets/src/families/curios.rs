@@ -286,7 +286,7 @@ pub(super) fn padlock(a: &Ask) -> Model {
         ];
         mesh.tube(&bow, 0.09, &stuff::CHROME.surface());
         mesh.disc(2, block(-0.1..0.1, 0.4..0.6, 0.18..0.22), &stuff::DARK_PLASTIC.surface());
-        mesh.crisp(block(-0.04..0.04, 0.2..0.46, 0.18..0.218), &stuff::DARK_PLASTIC.surface());
+        mesh.crisp(block(-0.04..0.04, 0.2..0.46, 0.18..0.205), &stuff::DARK_PLASTIC.surface());
     })
 }
 

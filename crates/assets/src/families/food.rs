@@ -1,6 +1,6 @@
 //! Food and what holds it: fruit, sandwiches and cakes, jars, shakers, spoons and ladles, a mortar, a dome of glass.
 
-use super::strokes::{at, blade, cone, long, of, small};
+use super::strokes::{at, blade, cone, long, of, pearl, small};
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
@@ -45,7 +45,8 @@ pub(super) fn apple(a: &Ask) -> Model {
                 let (y, turn) =
                     (0.3 + 0.42 * f64::from(k / 6), TAU * (f64::from(k % 6) + 0.5 * f64::from(k / 6 % 2)) / 6.0);
                 let (sin, cos) = turn.sin_cos();
-                mesh.bead(
+                pearl(
+                    mesh,
                     block(-0.16..0.16, -0.16..0.16, -0.16..0.16).moved(0.88 * cos, y, 0.88 * sin),
                     &of(Finish::Ceramic, 0x9a6a22),
                 );
@@ -63,8 +64,8 @@ pub(super) fn apple(a: &Ask) -> Model {
         } else if a.says(&["watermelon", "melon"]) {
             let green = skin(0x2f6a35);
             round(mesh, 0.0..2.0, &crate::shapes::sphere(14), &green);
-            for k in 0..8 {
-                mesh.place(at(0.0, 1.0, 0.0), [90.0, 45.0 * f64::from(k) / 2.0 + 11.0, 0.0], |mesh| {
+            for k in 0..5 {
+                mesh.place(at(0.0, 1.0, 0.0), [90.0, 36.0 * f64::from(k) + 11.0, 0.0], |mesh| {
                     mesh.torus(block(-1.005..1.005, -0.09..0.09, -1.005..1.005), 0.06, &shade(&green, 1.6));
                 });
             }
@@ -345,6 +346,8 @@ pub(super) fn shaker(a: &Ask) -> Model {
                 24,
                 &steel,
             );
+            // The hole in the middle is highest.
+            mesh.bead(block(-0.08..0.08, 3.5..3.66, -0.08..0.08), &stuff::DARK_PLASTIC.surface());
             for k in 0..6 {
                 let (sin, cos) = (TAU * f64::from(k) / 6.0).sin_cos();
                 mesh.bead(

@@ -74,7 +74,7 @@ pub(super) fn gong(a: &Ask) -> Model {
     let plate = b.share(0.14..0.86, 0.18..0.84, 0.46..0.54);
     m.disc(2, plate, &bronze);
     m.mesh.disc(2, plate.share(0.08..0.92, 0.08..0.92, 0.8..1.3), &shade(&bronze, 1.2));
-    m.mesh.disc(2, plate.share(0.36..0.64, 0.36..0.64, 1.0..2.0), &bronze);
+    m.disc(2, plate.share(0.36..0.64, 0.36..0.64, 1.0..2.0), &bronze);
     for x in [0.32..0.34, 0.66..0.68] {
         m.mesh.crisp(b.share(x, 0.74..0.95, 0.49..0.51), &stuff::LINEN.surface());
     }

@@ -59,8 +59,8 @@ pub(super) fn spool(a: &Ask) -> Model {
         let wool = a.main(Stuff(Finish::Fabric, 0xc45a6a));
         return small(a, |mesh| {
             mesh.ball(block(-0.94..0.94, -0.94..0.94, -0.94..0.94), &wool);
-            for k in 0..9 {
-                let turn = f64::from(k) * 40.0;
+            for k in 0..6 {
+                let turn = f64::from(k) * 60.0;
                 mesh.place(at(0.0, 0.0, 0.0), [30.0 + turn, turn * 1.7, turn * 0.6], |mesh| {
                     mesh.torus(
                         block(-0.99..0.99, -0.05..0.05, -0.99..0.99),
@@ -101,9 +101,9 @@ pub(super) fn spool(a: &Ask) -> Model {
         }
         let r = if film { 0.8 } else { 0.78 };
         if hose || a.says(&["cable"]) {
-            for k in 0..6 {
-                let y = -0.72 + 0.288 * f64::from(k);
-                mesh.torus(block(-0.86..0.86, y - 0.15..y + 0.15, -0.86..0.86), 0.3, &wound);
+            for k in 0..5 {
+                let y = -0.7 + 0.35 * f64::from(k);
+                mesh.torus(block(-0.86..0.86, y - 0.18..y + 0.18, -0.86..0.86), 0.3, &wound);
             }
             mesh.drum(block(-0.5..0.5, -0.86..0.86, -0.5..0.5), &flange);
         } else {
@@ -315,8 +315,8 @@ pub(super) fn train(a: &Ask) -> Model {
             for side in block(-0.3..-0.26, 0.3..0.58, -0.95..0.28).both_sides() {
                 mesh.crisp(side, &bed);
             }
-            for end in [-0.95..-0.9, 0.23..0.28] {
-                mesh.crisp(block(-0.27..0.27, 0.3..0.58, end), &bed);
+            for end in [-0.94..-0.9, 0.23..0.27] {
+                mesh.crisp(block(-0.27..0.27, 0.31..0.57, end), &bed);
             }
             return;
         }

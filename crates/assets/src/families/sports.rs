@@ -1,6 +1,6 @@
 //! What sport is done with: boards to stand on, hoops, nets, rackets, weights, targets, things to jump over.
 
-use super::strokes::{at, blade, cone, headed, long, of, round, small};
+use super::strokes::{at, blade, cone, headed, long, of, pearl, round, small};
 use crate::ask::Ask;
 use crate::block::{block, pieces};
 use crate::loft::oval;
@@ -89,11 +89,12 @@ pub(super) fn hoop(a: &Ask) -> Model {
                 let (sin, cos) = (TAU * f64::from(k) / 30.0).sin_cos();
                 let r = if k % 2 == 0 { 0.86 } else { 0.66 };
                 let tint = if k % 3 == 0 { shade(&leaf, 1.25) } else { leaf.clone() };
-                mesh.bead(block(-0.14..0.14, -0.16..0.16, -0.14..0.14).moved(r * cos, 0.0, r * sin), &tint);
+                pearl(mesh, block(-0.14..0.14, -0.16..0.16, -0.14..0.14).moved(r * cos, 0.0, r * sin), &tint);
             }
             for k in 0..6 {
                 let (sin, cos) = (TAU * (f64::from(k) + 0.4) / 6.0).sin_cos();
-                mesh.bead(
+                pearl(
+                    mesh,
                     block(-0.06..0.06, 0.08..0.2, -0.06..0.06).moved(0.76 * cos, 0.0, 0.76 * sin),
                     &stuff::RED.surface(),
                 );

@@ -2,6 +2,7 @@
 //! way they lie in it.
 
 use crate::ask::Ask;
+use crate::block::Block;
 use crate::looks::{Finish, Stuff, shade};
 use crate::mesh::{Mesh, Surface};
 use crate::model::Model;
@@ -66,6 +67,11 @@ pub(super) fn flare(mesh: &mut Mesh, path: &[(Vec3, f64)], s: &Surface) {
         let out = (end - before).normalize() * (0.04 * r);
         cone(mesh, *end, end + out, [0.88 * r, 0.86 * r], &shade(s, 0.35));
     }
+}
+
+/// A ball of few faces, for many of them.
+pub(super) fn pearl(mesh: &mut Mesh, b: Block, s: &Surface) {
+    mesh.lathe(b, &crate::shapes::sphere(4), 8, s);
 }
 
 /// A flat oval with its length along z: where, how wide and how long it is, and its thickness.

@@ -21,9 +21,9 @@ pub(super) fn tap(a: &Ask) -> Model {
                 &chrome,
             );
             mesh.tube(&[at(0.0, 0.45, 0.0), at(0.0, 0.8, 0.0), at(0.0, 0.9, -0.3), at(0.0, 0.9, -1.0)], 0.12, &chrome);
-            for k in 0..24 {
+            for k in 0..16 {
                 let (sin, cos) = (f64::from(k) * 2.4).sin_cos();
-                let r = 0.17 * f64::from(k + 1).sqrt();
+                let r = 0.2 * f64::from(k + 1).sqrt();
                 mesh.bead(block(-0.04..0.04, -0.03..0.03, -0.04..0.04).moved(r * cos, 0.0, r * sin), &dark);
             }
             return;
@@ -172,8 +172,8 @@ pub(super) fn caddy(a: &Ask) -> Model {
         let tiers: &[f64] = if hung { &[0.0, 0.95] } else { &[0.0] };
         for low in tiers {
             let high = if hung { 0.34 } else { 0.7 };
-            mesh.crisp(block(-1.0..1.0, *low..low + 0.06, -1.0..1.0), &main);
-            for side in block(-1.0..-0.94, *low..low + high, -1.0..1.0).both_sides() {
+            mesh.crisp(block(-0.96..0.96, *low..low + 0.06, -0.96..0.96), &main);
+            for side in block(-1.0..-0.94, *low..low + high, -0.99..0.99).both_sides() {
                 mesh.crisp(side, &main);
             }
             for z in [-1.0..-0.92, 0.92..1.0] {
@@ -191,7 +191,7 @@ pub(super) fn caddy(a: &Ask) -> Model {
             }
         }
         if !hung {
-            mesh.crisp(block(-0.96..0.96, 0.0..0.7, -0.03..0.03), &main);
+            mesh.crisp(block(-0.96..0.96, 0.03..0.66, -0.03..0.03), &main);
             for side in block(-1.0..-0.92, 0.6..1.3, -0.2..0.2).both_sides() {
                 mesh.crisp(side, &main);
             }
@@ -235,7 +235,7 @@ pub(super) fn knife_block(a: &Ask) -> Model {
                     &dark,
                 );
                 mesh.sweep(
-                    &[(from, 0.085, 0.145), (from + way * 0.06, 0.085, 0.145)],
+                    &[(from, 0.11, 0.17), (from + way * 0.06, 0.11, 0.17)],
                     at(1.0, 0.0, 0.0).cross(&way),
                     10,
                     &steel,

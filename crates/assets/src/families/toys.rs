@@ -1,6 +1,6 @@
 //! Toys: animals of cloth that sit, building blocks, a chess set, a theatre of puppets.
 
-use super::strokes::{at, of, small};
+use super::strokes::{of, small};
 use crate::ask::Ask;
 use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
@@ -49,7 +49,7 @@ pub(super) fn teddy(a: &Ask) -> Model {
     if monkey {
         let crown = share(0.36..0.64, 0.9..1.0, 0.3..0.6);
         m.solid(crown);
-        m.mesh.ball(crown, &fur);
+        m.mesh.bead(crown, &fur);
     }
     let tail = share(0.42..0.58, 0.06..0.2, 0.0..0.2);
     m.solid(tail);
@@ -244,6 +244,7 @@ pub(super) fn puppet_theatre(a: &Ask) -> Model {
     }
     for x in [0.42, 0.58] {
         let puppet = b.share(x - 0.06..x + 0.06, 0.48..0.66, 0.6..0.72);
+        m.solid(puppet);
         m.mesh.crisp(
             puppet.share(0.1..0.9, 0.0..0.6, 0.0..1.0),
             &of(Finish::Fabric, if x < 0.5 { 0x6da544 } else { 0xe3bd3a }),

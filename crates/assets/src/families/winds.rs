@@ -32,8 +32,8 @@ pub(super) fn flute(a: &Ask) -> Model {
         } else if a.says(&["bassoon"]) {
             for (x, top) in [(-0.05, 0.6), (0.05, 1.0)] {
                 cone(mesh, at(x, 0.0, -1.0), at(x, 0.0, top), [0.05, 0.035], &tube);
-                keys(mesh, -0.8, 0.5, 0.05, &silver);
             }
+            keys(mesh, -0.8, 0.5, 0.05, &silver);
             cone(mesh, at(0.05, 0.0, 0.9), at(0.05, 0.0, 0.94), [0.05, 0.05], &stuff::CERAMIC.surface());
             mesh.tube(
                 &[at(-0.05, 0.0, 0.58), at(-0.08, 0.0, 0.72), at(-0.2, 0.0, 0.7), at(-0.26, 0.0, 0.6)],

@@ -192,18 +192,22 @@ pub(super) fn swing(a: &Ask) -> Model {
 pub(super) fn log(a: &Ask) -> Model {
     let bark = a.main(Stuff(Finish::Wood, 0x6b4a30));
     let cut = of(Finish::Wood, 0xd8b27a);
+    let single = !a.says(&["pile", "stack", "firewood"]);
     let one = |mesh: &mut Mesh, x: f64, y: f64, r: f64, tint: f32| {
         let z = 1.0 - 0.06 * (x * 7.0 + y * 5.0).sin().abs();
         cone(mesh, at(x, y, -z), at(x, y, z), [r, r], &shade(&bark, tint));
         for side in [-1.0, 1.0] {
             cone(mesh, at(x, y, side * (z - 0.02)), at(x, y, side * (z + 0.012)), [0.86 * r, 0.86 * r], &cut);
-            cone(mesh, at(x, y, side * z), at(x, y, side * (z + 0.018)), [0.4 * r, 0.4 * r], &shade(&cut, 0.8));
+            if single {
+                let (from, to) = (at(x, y, side * z), at(x, y, side * (z + 0.018)));
+                cone(mesh, from, to, [0.4 * r, 0.4 * r], &shade(&cut, 0.8));
+            }
         }
     };
-    if a.says(&["pile", "stack", "firewood"]) {
+    if !single {
         return small(a, |mesh| {
-            for row in 0..5 {
-                let n = if row % 2 == 0 { 6 } else { 5 };
+            for row in 0..4 {
+                let n = if row % 2 == 0 { 5 } else { 4 };
                 for k in 0..n {
                     let x = 0.34 * (f64::from(k) - f64::from(n - 1) / 2.0);
                     one(mesh, x, 0.17 + 0.29 * f64::from(row), 0.17, [1.0, 0.85, 1.2][(k + row) as usize % 3]);
@@ -483,8 +487,8 @@ pub(super) fn carousel(a: &Ask) -> Model {
             );
         }
         mesh.ball(block(-0.07..0.07, 1.76..1.92, -0.07..0.07), &gold);
-        for k in 0..6 {
-            mesh.place(at(0.0, 0.0, 0.0), [0.0, 60.0 * f64::from(k), 0.0], |mesh| {
+        for k in 0..5 {
+            mesh.place(at(0.0, 0.0, 0.0), [0.0, 72.0 * f64::from(k), 0.0], |mesh| {
                 let y = if k % 2 == 0 { 0.44 } else { 0.58 };
                 mesh.rod(at(0.7, 0.1, 0.0), at(0.7, 1.42, 0.0), 0.02, &gold);
                 mesh.rounded(block(0.64..0.76, y..y + 0.16, -0.2..0.18), 0.06, 2, &cream);
@@ -527,7 +531,7 @@ pub(super) fn crane(a: &Ask) -> Model {
     m.board(b.share(0.44..0.56, 0.9..1.0, 0.0..0.92), &paint);
     m.solid(b.share(0.46..0.54, 0.5..0.9, 0.1..0.5));
     let point = |y: f64, z: f64| at(0.0, y * a.h, b.min.z + z * a.d);
-    let r = (0.035 * a.w).min(0.02 * a.h);
+    let r = (0.035 * a.w).min(0.02 * a.h).min(0.04 * a.d);
     m.mesh.rod(point(0.52, 0.06), point(0.92, 0.46), r, &steel);
     let thin = 0.3 * r;
     m.solid(b.share(0.46..0.54, 0.52..0.9, 0.82..0.92));
@@ -580,13 +584,8 @@ pub(super) fn wheelbarrow(a: &Ask) -> Model {
                 0.03,
                 &stuff::BLACK_STEEL.surface(),
             );
-            cone(
-                mesh,
-                at(side * 0.42, 0.65, -0.8),
-                at(side * 0.42, 0.66, -1.04),
-                [0.055, 0.055],
-                &stuff::DARK_PLASTIC.surface(),
-            );
+            let grip = block(-0.055..0.055, 0.6..0.71, -1.06..-0.76).moved(side * 0.42, 0.0, 0.0);
+            mesh.ball(grip, &stuff::DARK_PLASTIC.surface());
         }
     })
 }
