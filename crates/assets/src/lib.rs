@@ -13,6 +13,7 @@ mod contrast;
 mod families;
 mod lexicon;
 mod lights;
+mod loft;
 mod looks;
 mod mesh;
 mod model;

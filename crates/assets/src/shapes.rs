@@ -271,7 +271,7 @@ pub(crate) fn sphere(bands: usize) -> Vec<(f64, f64)> {
 }
 
 /// Sine and cosine of `k` of `n` equal turns, exact at the quarters so that extents are exact.
-fn turn(k: usize, n: usize) -> (f64, f64) {
+pub(crate) fn turn(k: usize, n: usize) -> (f64, f64) {
     match (4 * k) % (4 * n) {
         0 => (0.0, 1.0),
         q if q == n => (1.0, 0.0),

@@ -213,7 +213,7 @@ pub(super) fn vase(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Ceramic, 0x8fb0ad));
-    let flowers = a.says(&["flower", "bouquet", "rose", "tulip", "floral"]);
+    let flowers = a.says(&["flower", "bouquet", "rose", "tulip", "peony", "floral"]);
     let high = if flowers { 0.5 * a.h } else { a.h };
     let share = if flowers { 0.55 } else { 1.0 };
     let jar = b.y(0.0..high).inset(0.5 * (1.0 - share) * a.w, 0.0, 0.5 * (1.0 - share) * a.d);
@@ -414,7 +414,7 @@ pub(super) fn paper(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
     m.solid(b);
-    let main = a.main(stuff::PAPER);
+    let main = a.main(if a.says(&["blueprint"]) { Stuff(Finish::Paper, 0x3f6fa8) } else { stuff::PAPER });
     for (i, sheet) in b.split(1, pieces(a.h, 0.01, 1, 6), 0.0).enumerate() {
         let off = if i % 2 == 1 { 0.015 } else { 0.0 };
         m.mesh.crisp(sheet.inset(off * a.w, 0.0, off * a.d), &main);

@@ -1,13 +1,16 @@
 //! The families: a name, and who draws it. Shapes are told apart inside a family by words and size.
 
+mod animals;
 mod bathroom;
 mod beds;
 mod care;
 mod cellar;
+mod curios;
 mod decor;
 mod electronics;
 mod fences;
 mod fittings;
+mod food;
 mod kitchen;
 mod leisure;
 mod lighting;
@@ -15,19 +18,29 @@ mod moving;
 mod music;
 mod openings;
 mod panels;
+mod percussion;
 mod play;
+mod rides;
 mod robots;
+mod rolls;
 mod safety;
 mod seating;
 mod shops;
 mod sport;
+mod sports;
 mod storage;
+mod strokes;
 mod studio;
 mod tables;
+mod things;
+mod tools;
 mod toys;
 mod vehicles;
 mod venue;
+mod wear;
+mod winds;
 mod workshop;
+mod yard;
 
 use crate::ask::Ask;
 use crate::model::Model;
@@ -234,6 +247,104 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("window", openings::window),
     ("wine_rack", cellar::wine_rack),
     ("workbench", tables::workbench),
+    ("accordion", percussion::accordion),
+    ("animal", animals::animal),
+    ("anvil", tools::anvil),
+    ("apple", food::apple),
+    ("archery_target", sports::archery_target),
+    ("architectural_model", curios::architectural_model),
+    ("ball_pit", yard::ball_pit),
+    ("balloon", curios::balloon),
+    ("barbell", sports::barbell),
+    ("basketball_hoop", sports::basketball_hoop),
+    ("beehive", yard::beehive),
+    ("bell", percussion::bell),
+    ("binoculars", curios::binoculars),
+    ("birdhouse", yard::birdhouse),
+    ("boat", sports::boat),
+    ("broom", tools::broom),
+    ("brush", tools::brush),
+    ("building_block", toys::building_block),
+    ("caddy", things::caddy),
+    ("carousel", yard::carousel),
+    ("cheese_dome", food::cheese_dome),
+    ("chess_set", toys::chess_set),
+    ("crane", yard::crane),
+    ("cymbal", percussion::cymbal),
+    ("dart", sports::dart),
+    ("fire_pit", yard::fire_pit),
+    ("flashlight", things::flashlight),
+    ("flute", winds::flute),
+    ("fountain", yard::fountain),
+    ("garden_gnome", yard::garden_gnome),
+    ("glove", wear::glove),
+    ("gong", percussion::gong),
+    ("gramophone", winds::gramophone),
+    ("greenhouse", yard::greenhouse),
+    ("hanger", wear::hanger),
+    ("hat", wear::hat),
+    ("hookah", curios::hookah),
+    ("hoop", sports::hoop),
+    ("hourglass", curios::hourglass),
+    ("iron", things::iron),
+    ("jar", food::jar),
+    ("kite", sports::kite),
+    ("knife_block", things::knife_block),
+    ("lampshade", things::lampshade),
+    ("lightbulb", things::lightbulb),
+    ("log", yard::log),
+    ("maraca", percussion::maraca),
+    ("mask", wear::mask),
+    ("mobile", percussion::mobile),
+    ("mortar", food::mortar),
+    ("net", sports::net),
+    ("padlock", curios::padlock),
+    ("palette", things::palette),
+    ("pipe", rolls::pipe),
+    ("plane", rides::plane),
+    ("power_strip", things::power_strip),
+    ("puppet_theatre", toys::puppet_theatre),
+    ("pyramid", curios::pyramid),
+    ("racket", sports::racket),
+    ("record", rolls::record),
+    ("roll", rolls::roll),
+    ("rope", rolls::rope),
+    ("sack", curios::sack),
+    ("safe", curios::safe),
+    ("sandwich", food::sandwich),
+    ("saxophone", winds::saxophone),
+    ("scarecrow", yard::scarecrow),
+    ("shaker", food::shaker),
+    ("shield", curios::shield),
+    ("shoe", wear::shoe),
+    ("skull", curios::skull),
+    ("sled", rides::sled),
+    ("snowman", yard::snowman),
+    ("sock", wear::sock),
+    ("spool", rolls::spool),
+    ("stone", yard::stone),
+    ("surfboard", sports::surfboard),
+    ("swing", yard::swing),
+    ("sword", curios::sword),
+    ("syringe", curios::syringe),
+    ("tambourine", percussion::tambourine),
+    ("tap", things::tap),
+    ("tent", yard::tent),
+    ("tie", wear::tie),
+    ("timpani", percussion::timpani),
+    ("tool", tools::tool),
+    ("tractor", rides::tractor),
+    ("train", rolls::train),
+    ("trestle", sports::trestle),
+    ("tricycle", rides::tricycle),
+    ("trumpet", winds::trumpet),
+    ("tube", things::tube),
+    ("utensil", food::utensil),
+    ("vise", tools::vise),
+    ("wheel", rolls::wheel),
+    ("wheelbarrow", yard::wheelbarrow),
+    ("xylophone", percussion::xylophone),
+    ("zither", percussion::zither),
 ];
 
 /// Who draws a family.

@@ -64,7 +64,8 @@ pub(super) fn drum_kit(a: &Ask) -> Model {
 pub(super) fn strings(a: &Ask) -> Model {
     let mut m = Model::default();
     let b = a.whole();
-    let bowed = a.says(&["cello", "violin", "viola", "double", "contrabass"]);
+    let bowed = a.says(&["cello", "violin", "viola", "fiddle", "double", "contrabass"]);
+    let banjo = a.says(&["banjo"]);
     let body = a.main(if bowed { Stuff(Finish::Wood, 0x8a4b22) } else { Stuff(Finish::Wood, 0xc98d46) });
     let dark = stuff::DARK_PLASTIC.surface();
     // The body leans on a stand whose feet fill the floor of the box.
@@ -76,11 +77,19 @@ pub(super) fn strings(a: &Ask) -> Model {
     m.board(b.share(0.44..0.56, 0.05..0.5, 0.0..0.16), &dark);
     let lower = b.share(0.06..0.94, 0.05..0.36, 0.2..0.8);
     let upper = b.share(0.16..0.84, 0.33..0.56, 0.2..0.8);
-    for part in [lower, upper] {
-        m.disc(2, part, &body);
+    if banjo {
+        // Its body is a drum.
+        let round = b.share(0.0..1.0, 0.05..0.44, 0.2..0.8);
+        m.disc(2, round, &body);
+        m.mesh.disc(2, round.share(0.08..0.92, 0.08..0.92, 0.9..1.04), &stuff::SHEET.surface());
+        m.board(b.share(0.44..0.56, 0.44..0.5, 0.6..0.84), &shade(&body, 0.6));
+    } else {
+        for part in [lower, upper] {
+            m.disc(2, part, &body);
+        }
+        m.mesh.disc(2, b.share(0.36..0.64, 0.34..0.44, 0.79..0.83), &dark);
     }
     let face = shade(&body, 1.15);
-    m.mesh.disc(2, b.share(0.36..0.64, 0.34..0.44, 0.79..0.83), &dark);
     m.mesh.crisp(b.share(0.34..0.66, 0.16..0.19, 0.8..0.88), &dark);
     m.board(b.share(0.44..0.56, 0.5..0.92, 0.6..0.84), &shade(&body, 0.6));
     m.board(b.share(0.4..0.6, 0.91..1.0, 0.52..0.8), &face);

@@ -28,14 +28,14 @@ fn wheel(m: &mut Model, b: Block) {
 /// A car; a van, where it says so.
 pub(super) fn car(a: &Ask) -> Model {
     let mut m = Model::default();
-    let paint = a.main(Stuff(Finish::Paint, 0x5b7f9c));
+    let paint = a.main(Stuff(Finish::Paint, if a.says(&["school"]) { 0xe3b02f } else { 0x5b7f9c }));
     let glass = Stuff(Finish::Screen, 0x2b3844).surface();
     let dark = stuff::DARK_PLASTIC.surface();
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     let r = (0.22 * a.h).min(0.09 * a.d);
     let sill = 0.55 * r;
     let belt = 0.56 * a.h;
-    let van = a.says(&["van", "truck", "lorry", "ambulance", "bus"]);
+    let van = a.says(&["van", "truck", "lorry", "ambulance", "bus", "minibus"]);
     // The body over the wheels, and the cabin, which is narrower towards the roof.
     // The lights stand out a little.
     let out = 0.004 * a.d;

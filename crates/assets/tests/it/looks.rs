@@ -2,7 +2,7 @@
 //! without seams.
 
 use crate::geometry::{bounds, corners, triangles};
-use crate::nouns::{families, sizes};
+use crate::nouns::{SHAPES, families, sizes, table, usual};
 use scenelang_assets::textures::Texture;
 use scenelang_assets::{
     Asset, Group, Request, covering, difference, furnish, material_names, on_floor, stand_out, toned,
@@ -16,11 +16,11 @@ const FEATURES: [&str; 3] = ["", "round glass modern", "wooden with drawers and 
 /// No more triangles than this.
 const MOST: usize = 3000;
 
-/// Every family in all sizes with all features, with a name for messages.
+/// Every family, and every noun that a family draws in a shape of its own, in all sizes with all features, with a name for
+/// messages.
 fn all() -> impl Iterator<Item = (String, Asset)> {
-    families().flat_map(|family| {
-        let noun = family.replace('_', " ");
-        let usual = sizes()[&noun];
+    let shapes = SHAPES.iter().map(|noun| ((*noun).to_owned(), table()[*noun].size));
+    usual().values().cloned().chain(shapes).flat_map(|(noun, usual)| {
         FACTORS.into_iter().flat_map(move |factor| {
             let noun = noun.clone();
             let size = usual.component_mul(&Vec3::from(factor));
@@ -311,8 +311,8 @@ const FLOORS: [&str; 18] = [
 fn things_of_no_particular_colour_stand_out_against_every_floor() {
     let mut bad = Vec::new();
     for family in families() {
-        let noun = family.replace('_', " ");
-        let asset = furnish(&Request { name: "it", category: &noun, size: Some(sizes()[&noun]), ..Request::default() });
+        let (noun, size) = &usual()[family];
+        let asset = furnish(&Request { name: "it", category: noun, size: Some(*size), ..Request::default() });
         for material in FLOORS {
             assert!(material_names().any(|m| m == material), "{material}");
             let floor = on_floor(&toned(&covering("", material, "", "oak"))).color;

@@ -1,9 +1,10 @@
 //! Nouns: what they are taken for, and that each noun with a usual size has a family.
 
-use scenelang_assets::{Request, family_of, furnish};
+use scenelang_assets::{Request, categories, family_of, furnish};
 use scenelang_layout::Vec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::sync::LazyLock;
 
 /// The names of all families, as phrases.
 pub fn families() -> impl Iterator<Item = &'static str> {
@@ -15,7 +16,12 @@ pub fn families() -> impl Iterator<Item = &'static str> {
 }
 
 /// The language's table of usual sizes.
-pub fn sizes() -> BTreeMap<String, Vec3> {
+pub fn sizes() -> &'static BTreeMap<String, Vec3> {
+    static SIZES: LazyLock<BTreeMap<String, Vec3>> = LazyLock::new(read_sizes);
+    &SIZES
+}
+
+fn read_sizes() -> BTreeMap<String, Vec3> {
     let mut table = BTreeMap::new();
     for line in include_str!("../../../lang/std/sizes.txt").lines() {
         let line = line.split('#').next().unwrap_or_default();
@@ -31,16 +37,190 @@ pub fn sizes() -> BTreeMap<String, Vec3> {
     table
 }
 
+/// A line of the language's table of nouns: the usual size, and what such a thing stands on.
+pub struct Noun {
+    pub size: Vec3,
+    pub stands: &'static str,
+}
+
+/// The language's table of nouns.
+pub fn table() -> &'static BTreeMap<String, Noun> {
+    static TABLE: LazyLock<BTreeMap<String, Noun>> = LazyLock::new(|| {
+        let lines = include_str!("../../../lang/std/nouns.txt").lines().filter(|l| !l.starts_with('#'));
+        let rows = lines.map(|l| l.split_whitespace().collect::<Vec<_>>()).filter(|row| !row.is_empty());
+        rows.map(|row| {
+            let size = Vec3::from_iterator(row[1..4].iter().map(|n| n.parse().expect("a number")));
+            (row[0].replace('_', " "), Noun { size, stands: row[4] })
+        })
+        .collect()
+    });
+    &TABLE
+}
+
+/// Nouns in whose words a family finds a shape of its own: all that is tried of families is tried of these, too.
+pub const SHAPES: &[&str] = &[
+    "banjo",
+    "hammer",
+    "screwdriver",
+    "chisel",
+    "handsaw",
+    "hacksaw",
+    "drill",
+    "chainsaw",
+    "soldering iron",
+    "mop",
+    "rake",
+    "shovel",
+    "spade",
+    "oar",
+    "hockey stick",
+    "pizza peel",
+    "hair brush",
+    "paintbrush",
+    "toothbrush",
+    "feather duster",
+    "paint roller",
+    "clarinet",
+    "bassoon",
+    "trombone",
+    "tuba",
+    "french horn",
+    "alpine horn",
+    "megaphone",
+    "glockenspiel",
+    "vibraphone",
+    "wind chime",
+    "ski",
+    "skateboard",
+    "snowboard",
+    "gym ring",
+    "wreath",
+    "basketball stand",
+    "magnifier",
+    "balance beam",
+    "hurdle",
+    "canoe",
+    "kayak",
+    "toy boat",
+    "rolling pin",
+    "tape",
+    "carpet roll",
+    "cable reel",
+    "film reel",
+    "garden hose",
+    "yarn",
+    "yo yo",
+    "game disc",
+    "coin",
+    "tire",
+    "crayon",
+    "nail",
+    "plank",
+    "chopsticks",
+    "cue stick",
+    "fishing rod",
+    "straw",
+    "stylus",
+    "dance pole",
+    "toy truck",
+    "pear",
+    "pineapple",
+    "watermelon",
+    "pumpkin",
+    "tomato",
+    "peach",
+    "hamburger",
+    "pancake",
+    "cookie",
+    "cheese wheel",
+    "pie",
+    "honey",
+    "medicine",
+    "biscuit tin",
+    "can",
+    "pepper mill",
+    "cocktail shaker",
+    "fork",
+    "knife",
+    "cutlery",
+    "ladle",
+    "spatula",
+    "whisk",
+    "tongs",
+    "corkscrew",
+    "helmet",
+    "sun hat",
+    "boot",
+    "slipper",
+    "roller skate",
+    "stocking",
+    "igloo",
+    "teepee",
+    "wood pile",
+    "dog kennel",
+    "playhouse",
+    "inflatable pool",
+    "sleigh",
+    "unicycle",
+    "dinosaur",
+    "elephant",
+    "fox",
+    "giraffe",
+    "lion",
+    "unicorn",
+    "rubber duck",
+    "piggy bank",
+    "rabbit",
+    "koala",
+    "monkey",
+    "frog",
+    "brick",
+    "lego set",
+    "rubik cube",
+    "yoga block",
+    "sponge",
+    "chess board",
+    "beer tap",
+    "shower head",
+    "paint tube",
+    "shower caddy",
+    "spatula set",
+    "pipette",
+];
+
+/// A noun for each family, with its usual size: its own name if that has one, else the first alias that does.
+pub fn usual() -> &'static BTreeMap<&'static str, (String, Vec3)> {
+    static USUAL: LazyLock<BTreeMap<&'static str, (String, Vec3)>> = LazyLock::new(|| {
+        let sizes = sizes();
+        let size = |noun: &str| sizes.get(noun).copied().or_else(|| table().get(noun).map(|n| n.size));
+        let of = |family: &'static str| {
+            let own = family.replace('_', " ");
+            let aliases = categories().filter(|alias| family_of(alias, "") == Some(family)).map(str::to_owned);
+            let found = [own.clone()].into_iter().chain(aliases).find_map(|noun| size(&noun));
+            (family, (own, found.unwrap_or_else(|| panic!("no usual size for {family}"))))
+        };
+        families().map(of).collect()
+    });
+    &USUAL
+}
+
 #[test]
 fn every_noun_with_a_usual_size_has_a_family() {
     let sizes = sizes();
     assert!(sizes.len() >= 200, "{}", sizes.len());
     let unknown: Vec<_> = sizes.keys().filter(|n| family_of(n, "").is_none()).collect();
     assert!(unknown.is_empty(), "{unknown:?}");
-    for family in families() {
-        let name = family.replace('_', " ");
-        assert!(sizes.contains_key(&name), "no usual size for {name}");
-    }
+    assert_eq!(usual().len(), families().count());
+}
+
+/// Of the language's nouns, 95 % are drawn; those that are not stand in the snapshot, which must be exact.
+#[test]
+fn nineteen_of_twenty_nouns_of_the_language_are_drawn_and_the_rest_is_listed() {
+    let nouns = table();
+    assert!(nouns.len() > 2_800, "{}", nouns.len());
+    let boxes: Vec<&str> = nouns.keys().map(String::as_str).filter(|noun| family_of(noun, "").is_none()).collect();
+    assert!(boxes.len() * 20 <= nouns.len(), "{} of {}", boxes.len(), nouns.len());
+    insta::assert_snapshot!(boxes.join("\n"));
 }
 
 /// What the requests of the development set ask for, by the nouns of those who annotated them.
@@ -66,19 +246,7 @@ fn nouns_of_the_requests_have_a_family_and_the_rest_is_listed() {
     let nouns = requested();
     assert!(nouns.len() > 200, "{}", nouns.len());
     let boxes: Vec<&str> = nouns.iter().map(String::as_str).filter(|noun| family_of(noun, "").is_none()).collect();
-    let known = [
-        "architectural model",
-        "basketball hoop",
-        "bell",
-        "cello stand",
-        "cheese dome",
-        "fountain",
-        "material sample",
-        "mobile",
-        "paper roll",
-        "pizza peel",
-        "toy train",
-    ];
+    let known = ["cello stand", "material sample"];
     assert_eq!(boxes, known);
     assert!(boxes.len() * 20 <= nouns.len(), "{} of {}", boxes.len(), nouns.len());
 }

@@ -1,7 +1,7 @@
 //! Every family over a grid of sizes and words: parts fill the box, meshes are closed and wound outward, things stand.
 
 use crate::geometry::{bounds, corners, inside_hull, mass, planes, triangles, volume};
-use crate::nouns::families;
+use crate::nouns::{Noun, SHAPES, families, sizes, table, usual};
 use nalgebra::Matrix3;
 use scenelang_assets::{Asset, Request, furnish};
 use scenelang_layout::{Convex, Joint, Moving, Part, Vec3};
@@ -67,11 +67,22 @@ fn report(bad: &[String]) {
 #[test]
 fn every_family_fills_its_box_at_every_size() {
     let mut bad = Vec::new();
-    for noun in families().chain(["whatever"]) {
+    for noun in families().chain(SHAPES.iter().copied()).chain(["whatever"]) {
         bad.extend(grid().find_map(|size| {
             let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
             check(&asset, size).err().map(|e| format!("{noun} {size:?}: {e}"))
         }));
+    }
+    report(&bad);
+}
+
+/// Every noun of the language that is drawn is drawn at its usual size.
+#[test]
+fn every_noun_of_the_language_fills_its_box() {
+    let mut bad = Vec::new();
+    for (noun, Noun { size, .. }) in table() {
+        let asset = furnish(&Request { name: "it", category: noun, size: Some(*size), ..Request::default() });
+        bad.extend(check(&asset, *size).err().map(|e| format!("{noun}: {e}")));
     }
     report(&bad);
 }
@@ -117,7 +128,7 @@ const OPENING: &[(&str, &str, usize)] = &[
 fn what_opens_does_not_meet_its_own_body() {
     let mut bad = Vec::new();
     for (noun, features, least) in OPENING {
-        let usual = crate::nouns::sizes().get(*noun).copied().unwrap_or(Vec3::new(0.9, 1.0, 0.5));
+        let usual = sizes().get(*noun).copied().unwrap_or(Vec3::new(0.9, 1.0, 0.5));
         let usual = if *features == "closed" { Vec3::new(0.34, 0.02, 0.24) } else { usual };
         for size in [usual, usual * 0.7, usual.component_mul(&Vec3::new(1.6, 1.2, 1.3))] {
             let asset =
@@ -151,7 +162,7 @@ fn what_opens_does_not_meet_its_own_body() {
 /// Absurd sizes make absurd furniture, but no panic and no number that is none.
 #[test]
 fn absurd_sizes_do_no_harm() {
-    for noun in families().chain(["whatever"]) {
+    for noun in families().chain(SHAPES.iter().copied()).chain(["whatever"]) {
         for size in [[1e-6; 3], [1e-3; 3], [1e5; 3], [1e5, 1e-5, 1.0], [1e-5, 1e5, 1e-5], [1.0, 1e-5, 1e5]] {
             let size = Some(Vec3::from(size));
             let asset = furnish(&Request { name: "it", category: noun, size, ..Request::default() });
@@ -273,12 +284,12 @@ const HUNG: [&str; 3] = ["wall shelf", "sconce", "wall lamp"];
 #[test]
 fn things_stand_on_their_own() {
     let mut bad = Vec::new();
-    let usual = crate::nouns::sizes();
+    let (sizes, hangs) =
+        (sizes(), |noun: &str| table().get(noun).is_some_and(|n| ["wall", "ceiling"].contains(&n.stands)));
     let named = VARIANTS.iter().map(|(noun, features, size)| (*noun, *features, Vec3::from(*size)));
-    for (noun, features, size) in named.chain(usual.iter().map(|(n, s)| (n.as_str(), "", *s))) {
-        if HUNG.contains(&noun) {
-            continue;
-        }
+    let sized = sizes.iter().map(|(n, s)| (n.as_str(), "", *s));
+    let more = more().filter(|(noun, _)| !hangs(noun)).map(|(noun, size)| (noun, "", size));
+    for (noun, features, size) in named.chain(sized).chain(more).filter(|(noun, ..)| !HUNG.contains(noun)) {
         let asset = furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
         let feet = contacts(&asset);
         let margin = 0.001_f64.max(0.03 * size.x.min(size.z));
@@ -309,12 +320,20 @@ fn distance(parts: &[Solid], p: Vec3) -> f64 {
         .fold(f64::MAX, f64::min)
 }
 
+/// The families whose own name has no usual size, and the nouns that have shapes of their own.
+fn more() -> impl Iterator<Item = (&'static str, Vec3)> {
+    let families = usual().values().map(|(noun, size)| (noun.as_str(), *size));
+    families
+        .filter(|(noun, _)| !sizes().contains_key(*noun))
+        .chain(SHAPES.iter().map(|noun| (*noun, table()[*noun].size)))
+}
+
 /// What is seen is (nearly) what is touched: nothing visible sticks out of the solids by more than a few centimetres.
 #[test]
 fn meshes_stay_near_their_solids() {
     let mut bad = Vec::new();
-    for (noun, size) in crate::nouns::sizes() {
-        let asset = furnish(&Request { name: "it", category: &noun, size: Some(size), ..Request::default() });
+    for (noun, size) in sizes().iter().map(|(noun, size)| (noun.as_str(), *size)).chain(more()) {
+        let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
         let solids: Vec<Solid> = asset
             .parts
             .iter()
@@ -358,7 +377,7 @@ fn supports_are_level() {
         "fridge",
         "stool",
     ] {
-        let size = crate::nouns::sizes()[noun];
+        let size = sizes()[noun];
         let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
         let height = asset.surface.unwrap_or(size.y);
         let area: f64 = asset
@@ -389,7 +408,7 @@ fn chairs_go_under_tables() {
         ("standing desk", ""),
         ("student desk", ""),
     ] {
-        let size = crate::nouns::sizes()[noun];
+        let size = sizes()[noun];
         let asset = furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
         // A person in front, 0.45 wide, knees 0.25 under the top; a desk with drawers seats them left of the middle.
         let x = if noun == "desk" { -0.15 } else { 0.0 };
