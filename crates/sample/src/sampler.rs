@@ -52,6 +52,8 @@ pub struct Drawn {
     pub index: u64,
     /// Its seed.
     pub seed: u64,
+    /// What `rand` and `oneOf` gave it.
+    pub draws: Vec<(String, f64)>,
     /// What came of it.
     pub result: Result<Sample, Missing>,
     /// Moves, refusals.
@@ -90,8 +92,10 @@ struct Start<'a> {
 pub struct Sampler<'a> {
     program: &'a Program,
     settings: Settings,
-    /// Empty where each sample has draws of its own.
+    /// Empty where the draws of a sample decide where its things can be.
     starts: Vec<Start<'a>>,
+    /// Sizes and parts of the layouts that chains begin at, where draws choose what things look like.
+    shapes: Option<Layout>,
     /// Which part of layouts drawn as a whole is good; `None`: too few are.
     pub rate: Option<f64>,
 }
@@ -99,12 +103,13 @@ pub struct Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// Of a program without errors. `None`: there are no draws, and the solver finds no layout; or it was asked to end.
     pub fn new(program: &'a Program, settings: Settings) -> Option<Self> {
-        let mut sampler = Self { program, settings, starts: Vec::new(), rate: None };
-        if !program.draws.is_empty() {
+        let mut sampler = Self { program, settings, starts: Vec::new(), shapes: None, rate: None };
+        if !program.draws_of_places().is_empty() {
             return Some(sampler);
         }
         let seed = sampler.settings.seed;
         let problem = sampler.problem(seed);
+        sampler.shapes = (!program.draws.is_empty()).then(|| problem.start.clone());
         for variant in 0..STARTS as u64 {
             match sampler.start(&problem, seed, variant) {
                 Some(start) => sampler.starts.push(start),
@@ -185,7 +190,7 @@ impl<'a> Sampler<'a> {
         let seed = seed_of(self.settings.seed, index);
         let mut tally = Tally::new(self.program);
         let result = self.drawn(seed, &mut tally);
-        Drawn { index, seed, result, tally }
+        Drawn { index, seed, draws: draws(self.program, seed), result, tally }
     }
 
     fn drawn(&self, seed: u64, tally: &mut Tally) -> Result<Sample, Missing> {
@@ -193,7 +198,7 @@ impl<'a> Sampler<'a> {
             return Err(Missing::Stopped);
         }
         let mut dice = Dice::new(seed);
-        if !self.starts.is_empty() {
+        if !self.starts.is_empty() && self.has_usual_shapes(seed) {
             let start = &self.starts[dice.below(self.starts.len())];
             let tries = self.rate.map_or(0, |rate| (PATIENCE / rate) as usize);
             return self.from(start, tries, seed, &mut dice, tally);
@@ -207,6 +212,14 @@ impl<'a> Sampler<'a> {
             false => Missing::NoLayout,
         })?;
         self.from(&start, 0, seed, &mut dice, tally)
+    }
+
+    /// Whether things have the sizes and parts with the draws of a seed that they have where chains begin.
+    fn has_usual_shapes(&self, seed: u64) -> bool {
+        let Some(usual) = &self.shapes else { return true };
+        let own = self.problem(seed).start;
+        std::iter::zip(&usual.objects, &own.objects)
+            .all(|((_, a), (_, b))| a.scale == b.scale && a.parts == b.parts && a.surface == b.surface && a.joints == b.joints)
     }
 
     /// Drawn as a whole, where that is possible before anything was solved.
@@ -250,6 +263,7 @@ impl<'a> Sampler<'a> {
             let mut layout = ground.layout(state, step);
             layout.scene = Some(self.settings.scene.clone());
             layout.seed = Some(seed);
+            layout.draws = draws(self.program, seed);
             let Ok(value) = serde_json::from_str::<serde_json::Value>(&layout_file::to_json(&layout, None)) else {
                 continue;
             };
