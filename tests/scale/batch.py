@@ -86,6 +86,8 @@ def results(folder):
 def whole(args, folder, count):
     """One run with two jobs, and one with a single one."""
     code, wall, used, said, seen = run(args, folder, "-o", "two", "--jobs", "2", "--format", "json", watch=True)
+    if code not in (0, 1):
+        sys.exit(f"scenelang batch ended with {code}")
     summary = json.loads(said)
     bad = count // 20
     expect(f"two jobs: exit code {code}, {summary['good']} results, {summary['failed']} errors",
@@ -143,7 +145,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("binary", type=pathlib.Path, help="a release build")
     arguments.add_argument("-n", type=int, default=1000, help="lines (default 1000)")
-    arguments.add_argument("--time", type=float, default=10, help="seconds for a line (default 10)")
+    arguments.add_argument("--time", type=float, default=30, help="seconds for a line (default 30)")
     arguments.add_argument("--kills", type=int, default=10)
     arguments.add_argument("--shards", type=int, default=3)
     args = arguments.parse_args()
@@ -151,7 +153,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         with (folder / "jobs.jsonl").open("w") as file:
-            file.writelines(json.dumps(line) + "\n" for line in manifest.lines(args.n))
+            file.writelines(manifest.text_of(line) + "\n" for line in manifest.lines(args.n))
         begun = time.monotonic()
         whole(args, folder, args.n)
         wall = (time.monotonic() - begun) / 3

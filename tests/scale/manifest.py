@@ -22,34 +22,42 @@ REQUESTS = [
 NEVER = 'region room; room.scale <- vec3(4, 2.6, 4); object a; assert a.pos.x > {x}; assert a.pos.x < {x} - 0.5;'
 # More than there is room for, and nothing that proves it at once.
 LONG = """region room; room.pos <- vec3(0, 0, 0); room.scale <- vec3(4, 2.6, 4);
-object more[60]; more.dimensions <- vec3(0.5, 0.5, 0.5);
+object more[40]; more.dimensions <- vec3(0.6, 0.5, 0.62);
 assert forall m in more: onFloor(m, room);
-assert forall m in more: forall n in more: m != n implies gap(m, n) >= 0.05;
 """
+# By turns. Texts of 10 MB are few, since a manifest may have 64 MB.
+KINDS = ["syntax", "contradiction", "text", "name", "time", "syntax", "contradiction", "json", "name", "syntax"]
 BROKEN = ["object", "object a; assert a.pos.x >", "assert b.pos.x > 1;", "object a; a.color <- 3;", "not a program at all"]
 
 
 def good(number):
     """A line that has a scene."""
-    if number % 5 == 4:
-        return {"name": f"room-{number}", "seed": number, "request": REQUESTS[number // 5 % len(REQUESTS)]}
+    if number % 20 == 4:
+        return {"name": f"room-{number}", "seed": number, "request": REQUESTS[number // 20 % len(REQUESTS)]}
     sizes = {"width": 4 + number % 3, "depth": 3.5 + number % 4 / 2, "boxes": 1 + number % 6}
     return {"name": f"room-{number}", "seed": number, "source": ROOM.format(**sizes)}
 
 
 def bad(number):
     """A line that has none; by turns, each for another reason."""
-    kind = ["syntax", "contradiction", "text", "name", "time"][number % 5]
+    kind = KINDS[number % len(KINDS)]
     name = f"{kind}-{number}"
     if kind == "syntax":
-        return {"name": name, "source": BROKEN[number // 5 % len(BROKEN)]}
+        return {"name": name, "source": BROKEN[number % 7 % len(BROKEN)]}
     if kind == "contradiction":
         return {"name": name, "source": NEVER.format(x=number / 10)}
     if kind == "text":
         return {"name": name, "source": "x" * (10 << 20)}
+    if kind == "json":
+        return "not JSON"
     if kind == "name":
-        return {"name": "../" * (1 + number // 5) + "outside", "source": "object a;"}
-    return {"name": name, "source": LONG, "effort": 100000}
+        return {"name": "../" * (1 + number) + "outside", "source": "object a;"}
+    return {"name": name, "source": LONG, "effort": 1000}
+
+
+def text_of(line):
+    """As it stands in the manifest."""
+    return line if isinstance(line, str) else json.dumps(line)
 
 
 def lines(count):
@@ -68,7 +76,7 @@ def main():
     args = arguments.parse_args()
     with args.o.open("w") as file:
         for line in lines(args.n):
-            file.write(json.dumps(line) + "\n")
+            file.write(text_of(line) + "\n")
 
 
 if __name__ == "__main__":

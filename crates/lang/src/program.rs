@@ -222,7 +222,9 @@ impl Program {
         let mut seen = 0;
         while seen < found.len() {
             let draw = &self.draws[found[seen].0 as usize];
-            found.extend([&draw.lo, &draw.hi].into_iter().flat_map(used).filter(|id| !found.contains(id)).collect::<Vec<_>>());
+            found.extend(
+                [&draw.lo, &draw.hi].into_iter().flat_map(used).filter(|id| !found.contains(id)).collect::<Vec<_>>(),
+            );
             seen += 1;
         }
         found.sort_unstable();

@@ -194,8 +194,7 @@ impl Coverage {
     pub fn text(&self, program: &Program, statement: &dyn Fn(usize) -> String) -> String {
         let mut out = format!("{} of {} samples stored, each verified\n", self.stored, self.asked);
         if self.no_layout > 0 {
-            let _ =
-                writeln!(out, "for {} the draws admit no layout, as far as the solver finds", self.no_layout);
+            let _ = writeln!(out, "for {} the draws admit no layout, as far as the solver finds", self.no_layout);
         }
         if self.unverified > 0 {
             let _ = writeln!(out, "{} did not stand the check, and are not stored", self.unverified);

@@ -20,9 +20,7 @@ impl Values {
         let of = |(index, draw): (usize, &Draw)| {
             let values = match draw.is_choice {
                 true => Self::Choice(arguments(program, index).into_iter().map(|name| (name, [0; 2])).collect()),
-                false => {
-                    Self::Numbers { count: 0, mean: 0.0, squares: 0.0, range: [f64::INFINITY, f64::NEG_INFINITY] }
-                }
+                false => Self::Numbers { count: 0, mean: 0.0, squares: 0.0, range: [f64::INFINITY, f64::NEG_INFINITY] },
             };
             (draw.key.clone(), values)
         };

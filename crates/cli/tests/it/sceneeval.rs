@@ -80,7 +80,8 @@ fn a_model_says_what_names_and_words_mean() {
     assert_eq!(asked["summary"]["all"]["scores"]["CNT"], serde_json::json!([0, 2]), "two desks and no lamp: {asked}");
     assert_eq!(asked["summary"]["all"]["scores"]["OOR"], serde_json::json!([0, 0]), "the word means nothing: {asked}");
     // A model that does not answer ends the command.
-    fs::write(folder.path().join("talk.json"), talk.to_string().replace("\"turns\":[{", "\"turns\":[],\"x\":[{")).unwrap();
+    fs::write(folder.path().join("talk.json"), talk.to_string().replace("\"turns\":[{", "\"turns\":[],\"x\":[{"))
+        .unwrap();
     let ended = eval(folder.path(), &[&given[..], &["--model", "replay:talk.json"]].concat());
     assert_eq!(ended.code, 2, "{ended:?}");
 }

@@ -51,7 +51,7 @@ impl Lowerer<'_, '_> {
                     _ => None,
                 });
                 let list = nodes(|value| if let Val::Num(n, _) = value { Some(*n) } else { None });
-                let node = self.f.b.add(Node::Choice(id, list.ok_or(Poison)?), range);
+                let node = self.choose(id, list.ok_or(Poison)?, range);
                 Ok(Val::Num(node, ty.ok_or(Poison)?))
             }
             Val::Vec(_) => {
@@ -59,13 +59,13 @@ impl Lowerer<'_, '_> {
                 // By component: proofs know in which bounds each is.
                 let parts = [Axis::X, Axis::Y, Axis::Z].map(|axis| {
                     let of = list.iter().map(|v| self.f.b.component(axis, *v, range)).collect();
-                    self.f.b.add(Node::Choice(id, of), range)
+                    self.choose(id, of, range)
                 });
                 Ok(Val::Vec(self.f.b.add(Node::Vector(parts), range)))
             }
             Val::Rot(_) => {
                 let list = nodes(|value| if let Val::Rot(n) = value { Some(*n) } else { None }).ok_or(Poison)?;
-                Ok(Val::Rot(self.f.b.add(Node::Choice(id, list), range)))
+                Ok(Val::Rot(self.choose(id, list, range)))
             }
             Val::Text(_) | Val::TextOf(..) => self.text_of(id, &values, range),
             _ => Err(Poison),
@@ -78,7 +78,8 @@ impl Lowerer<'_, '_> {
             match value {
                 Val::Text(text) => texts.push(text.clone()),
                 Val::TextOf(..) => {
-                    let message = "a text that `oneOf` chooses from must not be drawn itself; list all texts in one `oneOf`";
+                    let message =
+                        "a text that `oneOf` chooses from must not be drawn itself; list all texts in one `oneOf`";
                     self.error(codes::E0306, range, message);
                     return Err(Poison);
                 }
@@ -95,19 +96,23 @@ impl Lowerer<'_, '_> {
             (Val::TextOf(a, texts), Val::TextOf(b, others)) if a == b => {
                 let same = texts.iter().zip(others.iter()).map(|(a, b)| a == b).collect::<Vec<bool>>();
                 let list = same.into_iter().map(|same| self.f.b.add(Node::Truth(same), range)).collect();
-                Ok(self.f.b.add(Node::Choice(*a, list), range))
+                Ok(self.choose(*a, list, range))
             }
             (Val::TextOf(id, texts), other) | (other, Val::TextOf(id, texts)) => {
                 let (id, texts) = (*id, Rc::clone(texts));
                 let each = texts.iter().map(|text| self.same_text(&Val::Text(text.clone()), other, range));
                 let list = each.collect::<Lowered<Box<[NodeId]>>>()?;
-                // What all of them are needs no draw.
-                if list.iter().all(|node| *node == list[0]) {
-                    return Ok(list[0]);
-                }
-                Ok(self.f.b.add(Node::Choice(id, list), range))
+                Ok(self.choose(id, list, range))
             }
             _ => Err(Poison),
+        }
+    }
+
+    /// What all of them are depends on no draw.
+    fn choose(&mut self, id: DrawId, list: Box<[NodeId]>, range: TextRange) -> NodeId {
+        match list.iter().all(|node| *node == list[0]) {
+            true => list[0],
+            false => self.f.b.add(Node::Choice(id, list), range),
         }
     }
 

@@ -3,6 +3,7 @@
 
 mod energy;
 mod plain;
+mod skipped;
 
 use energy::distance_test;
 use plain::{compiled, features, plain};

@@ -17,7 +17,8 @@ use crate::vector::{M3, V3};
 use crate::world::{Body, Room, Thing, World};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
-    DrawId, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit, VariableKind,
+    DrawId, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit,
+    VariableKind,
 };
 use scenelang_layout::Prism;
 use scenelang_layout::file::LARGEST;
@@ -567,18 +568,14 @@ impl<'p> Unknowns<'p> {
 
     /// One of several values: between the least and the greatest of them. The same choice among the same known numbers is
     /// one measure.
-    fn choice(
-        &mut self,
-        draw: DrawId,
-        list: &[NodeId],
-        values: &Values<Term>,
-    ) -> Result<Value<Term>, EvalError> {
+    fn choice(&mut self, draw: DrawId, list: &[NodeId], values: &Values<Term>) -> Result<Value<Term>, EvalError> {
         let all = list.iter().map(|id| values[id.0 as usize]).collect::<Result<Vec<_>, _>>()?;
         let numbers: Option<Vec<Term>> =
             all.iter().map(|value| if let Value::Number(n) = value { Some(*n) } else { None }).collect();
         Ok(match (all[0], numbers) {
             (_, Some(numbers)) => {
-                let around = numbers.iter().map(|n| range(*n)).reduce(|a, b| Interval::new(a.lo.min(b.lo), a.hi.max(b.hi)));
+                let around =
+                    numbers.iter().map(|n| range(*n)).reduce(|a, b| Interval::new(a.lo.min(b.lo), a.hi.max(b.hi)));
                 let around = around.unwrap_or(Interval::ALL);
                 match numbers.iter().map(|n| n.known()).collect::<Option<Vec<f64>>>() {
                     Some(known) => Value::Number(self.term(format!("choice {draw:?} {known:?}"), around).0),
