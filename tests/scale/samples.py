@@ -13,6 +13,7 @@ import argparse
 import json
 import pathlib
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -29,16 +30,15 @@ def cpu():
     return used.ru_utime + used.ru_stime
 
 
-def checked(binary, scene, files):
-    """How many layouts do not hold."""
+def checked(binary, files):
+    """How many layouts do not hold; each names its program."""
     bad = 0
     for at in range(0, len(files), AT_ONCE):
         some = files[at : at + AT_ONCE]
-        command = [binary, "check", *[str(file) for file in some], str(scene), "--format", "json"]
+        command = [binary, "check", *[str(file) for file in some], "--format", "json"]
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         reports = [json.loads(line) for line in ended.stdout.splitlines() if line.startswith("{")]
-        layouts = [report for report in reports if report["file"].endswith(".json")]
-        bad += sum(not report["ok"] for report in layouts) + len(some) - len(layouts)
+        bad += sum(not report["ok"] for report in reports) + len(some) - len(reports)
     return bad
 
 
@@ -57,6 +57,9 @@ def settled(args, scene, folder):
 
 def program(args, scene, folder):
     """Samples of one program: how many are bad."""
+    scene = pathlib.Path(shutil.copy(scene, folder))
+    # One workspace, so that layouts may name a program beside their own folder.
+    (folder / "scenelang.toml").touch()
     begun, used = time.monotonic(), cpu()
     command = [args.binary, "sample", str(scene), "-n", str(args.n), "--seed", str(args.seed), "--jobs", str(args.jobs)]
     ended = subprocess.run([*command, "-o", str(folder / "out"), "--format", "json"], capture_output=True, text=True, check=False)
@@ -68,10 +71,10 @@ def program(args, scene, folder):
     lines = [line for file in sorted((folder / "out").glob("*.jsonl")) for line in file.read_text().splitlines()]
     files = []
     for number, line in enumerate(lines):
-        file = folder / f"s{number:06}.layout.json"
+        file = folder / "out" / f"s{number:06}.layout.json"
         file.write_text(line)
         files.append(file)
-    bad = checked(args.binary, scene.resolve(), files)
+    bad = checked(args.binary, files)
     near = report.get("nearestNeighbour") or {}
     print(f"{scene.name}: {len(lines)} of {report['asked']} stored, {bad} bad; {len(lines) / wall:.1f} per second, "
           f"{1000 * used / max(1, len(lines)):.1f} ms of a processor each; nearest neighbour {near.get('mean')} m", flush=True)
