@@ -3,6 +3,8 @@
 //! A trial is made, judged, and then kept or taken back. Judging stops as soon as it is clear that the trial is worse
 //! than the caller cares for; costs only add up.
 
+mod swings;
+
 use crate::State;
 use crate::frame::checks::{Check, Numbering};
 use crate::frame::terms::Force;
@@ -14,6 +16,7 @@ use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_layout::{Aabb, Vec2, obb};
 use scenelang_verify::{Scratch, Tolerances, Truth, Value, World, rules};
 use std::marker::PhantomData;
+use swings::Swings;
 
 /// All preferences together cost at most about this, so that none is worth a violation.
 const PREFERENCES: f64 = 0.05;
@@ -65,6 +68,7 @@ pub struct Candidate<'a> {
     cost: Vec<f64>,
     holds: Vec<bool>,
     walks_stale: bool,
+    swings: Swings,
     journal: Journal,
     scratch: Scratch<f64>,
     stamp: Vec<u32>,
@@ -83,6 +87,7 @@ impl<'a> Candidate<'a> {
                 weight[index] = PREFERENCES * w / preferences;
             }
         }
+        let swings = Swings::of(frame, &world);
         let mut state = Self {
             frame,
             layout: State::new(world),
@@ -97,6 +102,7 @@ impl<'a> Candidate<'a> {
             cost: vec![0.0; numbering.len()],
             holds: vec![true; numbering.len()],
             walks_stale: true,
+            swings,
             journal: Journal::default(),
             scratch: Scratch::new(),
             stamp: vec![0; numbering.len()],
@@ -541,7 +547,14 @@ impl<'a> Candidate<'a> {
             }
         }
         if !objects.is_empty() || !regions.is_empty() {
-            list.extend(frame.index.seeing().iter().filter(|&&t| self.missing[t] == 0));
+            // Of what is taken out of the scene nobody says where it was.
+            let anything = !regions.is_empty() || !variables.is_empty() || swept.is_empty();
+            let sees = |t: usize| {
+                anything
+                    || frame.terms[t].objects.iter().any(|own| objects.contains(own))
+                    || self.swings.may_see(t, self.layout.world(), swept)
+            };
+            list.extend(frame.index.seeing().iter().filter(|&&t| self.missing[t] == 0 && sees(t)));
         }
         let (now, stamp) = (self.now, &mut self.stamp);
         list.retain(|&c| std::mem::replace(&mut stamp[c], now) != now);

@@ -112,6 +112,10 @@ built_ins! {
         vec3(Number, Number, Number) -> Vector3, "x, y, z", "The vector (x, y, z).";
         rot(Degree, Degree, Degree) -> Rotation, "x, y, z", "The rotation about x, then z, then y, about the fixed world axes.";
         rand(Literal, Literal) -> Literal, "lo, hi", "A number drawn uniformly from [lo, hi], once, fixed by the seed.";
+        oneOf(Literal, Literal; Literal) -> Literal, "a, b, …", "One of the numbers, drawn with equal chances, once, fixed by the seed.";
+        oneOf(Vector3, Vector3; Vector3) -> Vector3, "a, b, …", "One of the vectors, drawn with equal chances, once, fixed by the seed.";
+        oneOf(Rotation, Rotation; Rotation) -> Rotation, "a, b, …", "One of the rotations, drawn with equal chances, once, fixed by the seed.";
+        oneOf(String, String; String) -> String, "a, b, …", "One of the texts, drawn with equal chances, once, fixed by the seed.";
         polygon(Vector3, Vector3, Vector3; Vector3) -> Polygon, "a, b, c, …", "A floor polygon; the heights of its points are ignored.";
 
         abs(Literal) -> Literal, "x", "The magnitude of x.";
@@ -223,6 +227,11 @@ pub fn overloads(name: &str) -> impl Iterator<Item = &'static Signature> + use<'
 /// Whether a name is a built-in.
 pub fn is_built_in(name: &str) -> bool {
     overloads(name).next().is_some()
+}
+
+/// Whether a built-in is a draw, so that each occurrence has a value of its own.
+pub fn is_draw(name: &str) -> bool {
+    matches!(name, "rand" | "oneOf")
 }
 
 impl Signature {

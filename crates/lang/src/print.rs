@@ -40,6 +40,10 @@ impl Printed<'_> {
             Node::Region(p, id) => write!(out, "{}.{}", self.region(*id), lower_first(&format!("{p:?}"))),
             Node::Variable(id) => out.write_str(&self.0.variables[id.0 as usize].name),
             Node::Draw(id) => write!(out, "draw(\"{}\")", self.0.draws[id.0 as usize].key),
+            Node::Choice(id, list) => {
+                let list = list.to_vec();
+                self.call(&format!("choice(\"{}\") of ", self.0.draws[id.0 as usize].key), &list, out)
+            }
             Node::Neg(a) => self.joined("-", &[*a], out),
             Node::Arith(op, a, b) => {
                 let sign = match op {

@@ -12,6 +12,7 @@ use crate::overlaps::Overlaps;
 pub use crate::wording::Wording;
 use scenelang_base::{Span, TextRange};
 use smol_str::SmolStr;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Index into [`Program::objects`].
@@ -43,8 +44,10 @@ pub struct Program {
     pub assigned_variables: Vec<SmolStr>,
     /// Their assignments, where a formula came to use them.
     pub definitions: Vec<Definition>,
-    /// Occurrences of `rand`, in order of their bounds' dependence: a draw's bounds use earlier draws only.
+    /// Occurrences of `rand` and `oneOf`, in order of their bounds' dependence: a draw's bounds use earlier draws only.
     pub draws: Vec<Draw>,
+    /// Text properties that are drawn. Until [`Self::dressed`], each has the first of its texts.
+    pub drawn_texts: Vec<DrawnText>,
     /// Assertions, preferences and pins, main file first, then imports, in source order.
     pub constraints: Vec<Constraint>,
     /// What the pins assign, for who wants to set it rather than check it.
@@ -145,7 +148,7 @@ pub enum VariableKind {
     Rotation,
 }
 
-/// One occurrence of `rand(lo, hi)` after expansion.
+/// One occurrence of `rand(lo, hi)`, or of `oneOf(…)`, after expansion.
 #[derive(Clone, Debug)]
 pub struct Draw {
     /// Its key in the layout: `lamp.pos/0`, `assert[2]/1`.
@@ -154,8 +157,80 @@ pub struct Draw {
     pub lo: Formula,
     /// See `lo`.
     pub hi: Formula,
+    /// Whether it is the number of an argument of `oneOf`, counted from 0.
+    pub is_choice: bool,
     /// The statement it stands in.
     pub span: Span,
+}
+
+/// A text property that `oneOf` chooses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnText {
+    /// Whose property.
+    pub owner: Owner,
+    /// Its name: `color`, `floorMaterial`.
+    pub property: SmolStr,
+    /// The draw.
+    pub draw: DrawId,
+    /// What it chooses from.
+    pub texts: Vec<String>,
+}
+
+impl Program {
+    /// The program with the texts that the draws of a layout choose. A draw that the layout does not have chooses the first.
+    pub fn dressed(&self, draws: &[(String, f64)]) -> Cow<'_, Self> {
+        if self.drawn_texts.is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let mut dressed = self.clone();
+        for drawn in &self.drawn_texts {
+            let key = &self.draws[drawn.draw.0 as usize].key;
+            let chosen = draws.iter().find(|(known, _)| known == key).map_or(0, |(_, value)| *value as usize);
+            if let Some(text) = drawn.texts.get(chosen) {
+                dressed.set_text(drawn.owner, &drawn.property, text);
+            }
+        }
+        Cow::Owned(dressed)
+    }
+
+    fn set_text(&mut self, owner: Owner, property: &str, text: &str) {
+        match owner {
+            Owner::Object(id) => {
+                let object = &mut self.objects[id.0 as usize];
+                match property {
+                    "color" => object.color = text.to_owned(),
+                    "material" => object.material = text.to_owned(),
+                    _ => {}
+                }
+            }
+            Owner::Region(id) => {
+                let texts = &mut self.regions[id.0 as usize].texts;
+                if let Some((_, own)) = texts.iter_mut().find(|(name, _)| name == property) {
+                    text.clone_into(own);
+                }
+            }
+        }
+    }
+
+    /// The draws that constraints and sizes depend on. The others, which choose texts that no statement reads, have no say in
+    /// where anything is.
+    pub fn draws_of_places(&self) -> Vec<DrawId> {
+        let formulas = self.constraints.iter().map(|c| &c.formula).chain(self.allow.mounts.iter().map(|m| &m.formula));
+        let values = self.pins.iter().flat_map(|p| &p.values).chain(self.objects.iter().flat_map(|o| &o.dimensions));
+        let used = |formula: &Formula| formula.nodes.iter().filter_map(Node::draw).collect::<Vec<_>>();
+        let mut found: Vec<DrawId> = formulas.chain(values).flat_map(used).collect();
+        let mut seen = 0;
+        while seen < found.len() {
+            let draw = &self.draws[found[seen].0 as usize];
+            found.extend(
+                [&draw.lo, &draw.hi].into_iter().flat_map(used).filter(|id| !found.contains(id)).collect::<Vec<_>>(),
+            );
+            seen += 1;
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
 }
 
 /// A stated constraint: one row of a report.
@@ -367,6 +442,8 @@ pub enum Node {
     Variable(VariableId),
     /// A recorded draw (number).
     Draw(DrawId),
+    /// That of the values, all of one kind, whose number (from 0) is the draw.
+    Choice(DrawId, Box<[NodeId]>),
     /// Minus a number or a vector.
     Neg(NodeId),
     /// Two numbers; two vectors (`+ −`); a vector and a number (`* /`); a number and a vector (`*`).
@@ -398,6 +475,14 @@ pub enum Node {
 }
 
 impl Node {
+    /// The draw that it reads itself.
+    pub fn draw(&self) -> Option<DrawId> {
+        match self {
+            Self::Draw(id) | Self::Choice(id, _) => Some(*id),
+            _ => None,
+        }
+    }
+
     /// Calls `f` with each child, in order.
     pub fn for_each_child(&self, mut f: impl FnMut(NodeId)) {
         match self {
@@ -418,6 +503,7 @@ impl Node {
             | Self::Or(list)
             | Self::Count(list)
             | Self::AtLeast(_, list)
+            | Self::Choice(_, list)
             | Self::SamePolygon(_, list) => list.iter().for_each(|c| f(*c)),
             Self::BuiltIn(_, args) => {
                 for a in args {
@@ -458,6 +544,7 @@ impl Node {
             Self::Count(l) => Self::Count(list(l)),
             Self::AtLeast(n, l) => Self::AtLeast(*n, list(l)),
             Self::SamePolygon(r, l) => Self::SamePolygon(*r, list(l)),
+            Self::Choice(d, l) => Self::Choice(*d, list(l)),
             Self::BuiltIn(b, a) => Self::BuiltIn(*b, args(a)),
         }
     }

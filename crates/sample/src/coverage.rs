@@ -3,6 +3,7 @@
 
 use crate::sampler::{Drawn, Missing};
 use crate::tally::{KINDS, RULES, Tally};
+use crate::values::Values;
 use scenelang_lang::Program;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -69,6 +70,8 @@ pub struct Coverage {
     /// Those stored that were drawn as a whole.
     pub whole: u64,
     tally: Tally,
+    /// By key, in the order of the program.
+    draws: Vec<(String, Values)>,
     spreads: Vec<Spread>,
     /// By sample: where each thing is.
     places: Vec<Vec<[f64; 3]>>,
@@ -78,13 +81,24 @@ impl Coverage {
     /// Nothing yet.
     pub fn new(program: &Program) -> Self {
         let spreads = vec![Spread::default(); program.objects.len()];
-        Self { tally: Tally::new(program), spreads, ..Self::default() }
+        Self { tally: Tally::new(program), draws: Values::all(program), spreads, ..Self::default() }
     }
 
     /// Counts what was drawn, in the order of the samples.
     pub fn add(&mut self, drawn: &Drawn) {
         self.asked += 1;
         self.tally.add(&drawn.tally);
+        let admits = match drawn.result {
+            Ok(_) => Some(true),
+            Err(Missing::NoLayout) => Some(false),
+            Err(_) => None,
+        };
+        for (key, value) in &drawn.draws {
+            let own = self.draws.iter_mut().find(|(known, _)| known == key);
+            if let (Some((_, values)), Some(admits)) = (own, admits) {
+                values.add(*value, admits);
+            }
+        }
         let sample = match &drawn.result {
             Ok(sample) => sample,
             Err(Missing::NoLayout) => return self.no_layout += 1,
@@ -167,6 +181,7 @@ impl Coverage {
             "nearestNeighbour": self.nearest(&moving).map(|[mean, least]| json!({
                 "samples": self.places.len(), "mean": rounded(mean), "least": rounded(least),
             })),
+            "draws": self.draws.iter().map(|(key, values)| values.json(key)).collect::<Vec<_>>(),
             "objects": objects.collect::<Vec<_>>(),
             "whole": { "tried": self.tally.whole[0], "taken": self.tally.whole[1] },
             "moves": moves.collect::<Vec<_>>(),
@@ -179,8 +194,7 @@ impl Coverage {
     pub fn text(&self, program: &Program, statement: &dyn Fn(usize) -> String) -> String {
         let mut out = format!("{} of {} samples stored, each verified\n", self.stored, self.asked);
         if self.no_layout > 0 {
-            let _ =
-                writeln!(out, "for {} the draws of `rand` admit no layout, as far as the solver finds", self.no_layout);
+            let _ = writeln!(out, "for {} the draws admit no layout, as far as the solver finds", self.no_layout);
         }
         if self.unverified > 0 {
             let _ = writeln!(out, "{} did not stand the check, and are not stored", self.unverified);
@@ -193,6 +207,15 @@ impl Coverage {
                 "from each sample to the one most like it, things that move are {mean:.3} m apart on average (among {among}; \
                  least {least:.3} m)"
             );
+        }
+        if !self.draws.is_empty() {
+            out += "draws:\n";
+        }
+        for (key, values) in self.draws.iter().take(NAMED) {
+            let _ = writeln!(out, "  {key:<24} {}", values.text());
+        }
+        if self.draws.len() > NAMED {
+            let _ = writeln!(out, "  and {} more", self.draws.len() - NAMED);
         }
         let mut things = moving;
         things.sort_by(|a, b| {
@@ -242,7 +265,7 @@ impl Coverage {
 }
 
 /// To four digits: more of a statistic say nothing.
-fn rounded(x: f64) -> f64 {
+pub(crate) fn rounded(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }
 

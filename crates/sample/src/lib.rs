@@ -21,6 +21,7 @@ mod places;
 mod sampler;
 mod tally;
 mod ties;
+mod values;
 mod walls;
 pub mod whole;
 

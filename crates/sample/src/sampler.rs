@@ -7,14 +7,15 @@ use crate::{chain, whole};
 use scenelang_base::FileId;
 use scenelang_engine::candidate::Candidate;
 use scenelang_lang::Program;
-use scenelang_layout::{Layout, file as layout_file};
+use scenelang_layout::{Layout, Placement, file as layout_file};
 use scenelang_solve::{Ground, Options, Placed, Problem, Stop, draws, solve};
 use scenelang_synth::furnish;
 use scenelang_verify::check::check;
 use std::ops::ControlFlow;
+use std::sync::OnceLock;
 
-/// How many layouts chains begin at, where all samples have the same draws.
-pub const STARTS: usize = 6;
+/// How many layouts chains begin at, where all samples have the same draws. Each is looked for when the first sample needs it.
+pub const STARTS: usize = 32;
 /// Layouts drawn as a whole to see how many of them are good.
 pub const PILOT: usize = 20_000;
 /// Fewer good ones than this are too few to draw all samples so.
@@ -52,6 +53,8 @@ pub struct Drawn {
     pub index: u64,
     /// Its seed.
     pub seed: u64,
+    /// What `rand` and `oneOf` gave it.
+    pub draws: Vec<(String, f64)>,
     /// What came of it.
     pub result: Result<Sample, Missing>,
     /// Moves, refusals.
@@ -90,8 +93,10 @@ struct Start<'a> {
 pub struct Sampler<'a> {
     program: &'a Program,
     settings: Settings,
-    /// Empty where each sample has draws of its own.
-    starts: Vec<Start<'a>>,
+    /// What chains begin at a solution of; `None`: the draws of a sample decide where its things can be.
+    shared: Option<Problem<'a>>,
+    /// The solutions, as far as they were needed; of one that is not found, the first takes the place.
+    starts: Vec<OnceLock<Option<Start<'a>>>>,
     /// Which part of layouts drawn as a whole is good; `None`: too few are.
     pub rate: Option<f64>,
 }
@@ -99,22 +104,25 @@ pub struct Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// Of a program without errors. `None`: there are no draws, and the solver finds no layout; or it was asked to end.
     pub fn new(program: &'a Program, settings: Settings) -> Option<Self> {
-        let mut sampler = Self { program, settings, starts: Vec::new(), rate: None };
-        if !program.draws.is_empty() {
+        let mut sampler = Self { program, settings, shared: None, starts: Vec::new(), rate: None };
+        if !program.draws_of_places().is_empty() {
             return Some(sampler);
         }
-        let seed = sampler.settings.seed;
-        let problem = sampler.problem(seed);
-        for variant in 0..STARTS as u64 {
-            match sampler.start(&problem, seed, variant) {
-                Some(start) => sampler.starts.push(start),
-                // What is not found at first is not looked for again and again.
-                None if variant == 0 => return None,
-                None => {}
-            }
-        }
+        sampler.shared = Some(sampler.problem(sampler.settings.seed));
+        sampler.starts.resize_with(STARTS, OnceLock::new);
+        sampler.start_of(0)?;
         sampler.rate = sampler.pilot();
         Some(sampler)
+    }
+
+    /// One of the layouts that chains begin at.
+    fn start_of(&self, which: usize) -> Option<&Start<'a>> {
+        let problem = self.shared.as_ref()?;
+        let found = |which: usize| {
+            let start = self.starts.get(which)?;
+            start.get_or_init(|| self.start(problem, self.settings.seed, which as u64)).as_ref()
+        };
+        found(which).or_else(|| found(0))
     }
 
     /// Sizes and parts, with the draws of a seed.
@@ -159,7 +167,7 @@ impl<'a> Sampler<'a> {
 
     /// Which part of layouts drawn as a whole is good, if that is enough of them.
     fn pilot(&self) -> Option<f64> {
-        let start = self.starts.first()?;
+        let start = self.start_of(0)?;
         let mut state = start.ground.candidate();
         if !self.settings.whole || !whole::is_possible(&state) {
             return None;
@@ -185,7 +193,7 @@ impl<'a> Sampler<'a> {
         let seed = seed_of(self.settings.seed, index);
         let mut tally = Tally::new(self.program);
         let result = self.drawn(seed, &mut tally);
-        Drawn { index, seed, result, tally }
+        Drawn { index, seed, draws: draws(self.program, seed), result, tally }
     }
 
     fn drawn(&self, seed: u64, tally: &mut Tally) -> Result<Sample, Missing> {
@@ -193,8 +201,9 @@ impl<'a> Sampler<'a> {
             return Err(Missing::Stopped);
         }
         let mut dice = Dice::new(seed);
-        if !self.starts.is_empty() {
-            let start = &self.starts[dice.below(self.starts.len())];
+        if self.has_usual_shapes(seed)
+            && let Some(start) = self.start_of(dice.below(self.starts.len()))
+        {
             let tries = self.rate.map_or(0, |rate| (PATIENCE / rate) as usize);
             return self.from(start, tries, seed, &mut dice, tally);
         }
@@ -207,6 +216,17 @@ impl<'a> Sampler<'a> {
             false => Missing::NoLayout,
         })?;
         self.from(&start, 0, seed, &mut dice, tally)
+    }
+
+    /// Whether things have the sizes and parts with the draws of a seed that they have where chains begin.
+    fn has_usual_shapes(&self, seed: u64) -> bool {
+        let Some(shared) = &self.shared else { return false };
+        let alike = |(a, b): (&Placement, &Placement)| {
+            a.scale == b.scale && a.parts == b.parts && a.surface == b.surface && a.joints == b.joints
+        };
+        self.program.draws.is_empty()
+            || std::iter::zip(&shared.start.objects, &self.problem(seed).start.objects)
+                .all(|((_, a), (_, b))| alike((a, b)))
     }
 
     /// Drawn as a whole, where that is possible before anything was solved.
@@ -250,6 +270,7 @@ impl<'a> Sampler<'a> {
             let mut layout = ground.layout(state, step);
             layout.scene = Some(self.settings.scene.clone());
             layout.seed = Some(seed);
+            layout.draws = draws(self.program, seed);
             let Ok(value) = serde_json::from_str::<serde_json::Value>(&layout_file::to_json(&layout, None)) else {
                 continue;
             };

@@ -9,6 +9,9 @@ use scenelang_engine::candidate::{Candidate, Change};
 use scenelang_engine::frame::Frame;
 use scenelang_layout::Layout;
 
+/// Whoever only asks whether everything holds need not know how much more room than this there is before what opens (metres).
+const CLEARANCE: f64 = 0.01;
+
 /// See the file.
 pub struct Ground<'a> {
     setup: Setup<'a>,
@@ -27,7 +30,9 @@ impl<'a> Ground<'a> {
 
     /// Everything that has a place in it, and nothing else.
     pub fn candidate(&self) -> Candidate<'_> {
-        let mut state = Candidate::new(&self.setup.frame, self.setup.world.clone());
+        let mut world = self.setup.world.clone();
+        world.options.detail.clearance = CLEARANCE;
+        let mut state = Candidate::new(&self.setup.frame, world);
         let placed = self.setup.given.iter().filter_map(|(id, pose)| Some(Change::Object(*id, (*pose)?)));
         let placed: Vec<Change> = placed.collect();
         if state.attempt(&placed, f64::INFINITY).is_some() {

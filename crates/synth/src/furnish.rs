@@ -104,6 +104,7 @@ pub fn furnish_from(
     chain: Option<&Chain>,
     say: &mut dyn FnMut(&str),
 ) -> Furnished {
+    let program = &*program.dressed(&draws);
     let previous = earlier.previous;
     let mut layout = previous.cloned().unwrap_or_default();
     layout.draws = draws;

@@ -183,4 +183,7 @@ pub struct EvalSceneEval {
     /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
+    /// Which model is asked what names and words of relations mean, instead of the table
+    #[command(flatten)]
+    pub model: Model,
 }

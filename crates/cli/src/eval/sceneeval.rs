@@ -3,6 +3,7 @@
 
 use super::{fail, of, percent};
 use crate::args::{EvalSceneEval, SummaryFormat};
+use crate::model::Asked as Asking;
 use crate::progress::Progress;
 use crate::replace::May;
 use crate::table::Table as Columns;
@@ -11,9 +12,10 @@ use scenelang_base::door::Door;
 use scenelang_base::owned::{Standing, standing};
 use scenelang_engine::{check_file, program_of};
 use scenelang_eval::Share;
-use scenelang_eval::sceneeval::{Asked, Benchmark, Case, Made, Scores, Table, read};
+use scenelang_eval::sceneeval::{Asked, Benchmark, Case, Made, Scores, Table, by_model, categories, read};
 use scenelang_export::OutFile;
 use scenelang_formalize::write::write;
+use scenelang_llm::Session;
 use scenelang_solve::MOST_OBJECTS;
 use scenelang_synth::{Failure, Hold, Observer, Request, Stage, rehearsed, solve};
 use scenelang_verify::{Explain, exit_code};
@@ -25,9 +27,13 @@ const REPORT: [&str; 2] = ["report.json", "summary.csv"];
 
 /// Scores the requests; 0 if there is a layout for each in which all holds that must.
 pub fn run(args: &EvalSceneEval) -> u8 {
-    let (benchmark, table) = match chosen(args) {
-        Ok(benchmark) => (benchmark, Table::new()),
+    let benchmark = match chosen(args) {
+        Ok(benchmark) => benchmark,
         Err(message) => return fail(&message),
+    };
+    let mut model = match Asking::new(&args.model, &scenelang_verify::settings::Llm::default(), 0) {
+        Ok(asked) => asked.map(|asked| asked.into_parts().0),
+        Err(why) => return fail(&why.to_string()),
     };
     if let Err(message) = permitted(args, &benchmark.requests) {
         return fail(&message);
@@ -40,8 +46,7 @@ pub fn run(args: &EvalSceneEval) -> u8 {
     let mut failure = None;
     let progress = Progress::new("starting");
     let requests = &benchmark.requests;
-    let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
-    let each = |case| {
+    let mut each = |case| {
         match case {
             Ok(Some(case)) => scores.cases.push(case),
             Ok(None) => {}
@@ -50,7 +55,14 @@ pub fn run(args: &EvalSceneEval) -> u8 {
         let good = scores.cases.iter().filter(|case| case.is_good()).count();
         progress.say(format!("{} of {} requests, {good} with a layout", scores.cases.len(), requests.len()));
     };
-    parallel::in_order(requests, jobs, |asked| case(args, asked, &table), each);
+    match &mut model {
+        // A conversation goes one question after the other.
+        Some(model) => requests.iter().for_each(|asked| each(case(args, asked, Some(model)))),
+        None => {
+            let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
+            parallel::in_order(requests, jobs, |asked| case(args, asked, None), each);
+        }
+    }
     drop(progress);
     if let Some(message) = failure {
         return fail(&message);
@@ -110,7 +122,8 @@ fn permitted(args: &EvalSceneEval, requests: &[Asked]) -> Result<(), String> {
 }
 
 /// Makes what there is to make for a request, and scores it; `None`: the end was asked for.
-fn case(args: &EvalSceneEval, asked: &Asked, table: &Table) -> Result<Option<Case>, String> {
+fn case(args: &EvalSceneEval, asked: &Asked, model: Option<&mut Session>) -> Result<Option<Case>, String> {
+    let table = &Table::new();
     if interrupt::asked() {
         return Ok(None);
     }
@@ -131,7 +144,7 @@ fn case(args: &EvalSceneEval, asked: &Asked, table: &Table) -> Result<Option<Cas
             return Ok(Some(Case::without(asked, trouble, table)));
         }
     }
-    Ok(Some(scored(asked, &layout, table)))
+    scored(asked, &layout, model).map(Some)
 }
 
 /// Writes program and layout of a request. What is returned says why there is no layout.
@@ -191,8 +204,8 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
     }
 }
 
-/// Scores a layout with the program that it belongs to, where that is there.
-fn scored(asked: &Asked, layout: &Path, table: &Table) -> Case {
+/// Scores a layout with the program that it belongs to, where that is there. A model says what words mean, if there is one.
+fn scored(asked: &Asked, layout: &Path, model: Option<&mut Session>) -> Result<Case, String> {
     let mut options = scenelang_verify::Options::default();
     options.detail.explain = Explain::First(0);
     let name = layout.display().to_string();
@@ -205,7 +218,7 @@ fn scored(asked: &Asked, layout: &Path, table: &Table) -> Case {
     let trouble = errors().find(|finding| !absent(&finding.code)).map(|finding| finding.message.clone());
     let without = |trouble: Option<String>| {
         let trouble = trouble.unwrap_or_else(|| format!("{name} cannot be read"));
-        Case::without(asked, trouble, table)
+        Ok(Case::without(asked, trouble, &Table::new()))
     };
     let Some(placed) = checked.layout.as_ref().filter(|_| trouble.is_none() || checked.program.is_some()) else {
         return without(trouble);
@@ -216,8 +229,13 @@ fn scored(asked: &Asked, layout: &Path, table: &Table) -> Case {
         program: checked.program.as_ref().zip(main).map(|(program, (id, file))| (program, id, file.text())),
         holds: checked.program.as_ref().map(|_| exit_code(&checked.report) == 0),
     };
-    match Case::of(asked, &made, table) {
-        Ok(case) => Case { trouble, ..case },
+    let table = match model {
+        Some(model) => by_model(asked, &categories(placed, checked.program.as_ref()), model)
+            .map_err(|why| format!("request {}: {why}", asked.id))?,
+        None => Table::new(),
+    };
+    match Case::of(asked, &made, &table) {
+        Ok(case) => Ok(Case { trouble, ..case }),
         Err(why) => without(Some(why)),
     }
 }

@@ -53,6 +53,39 @@ fn programs_and_layouts_are_made_and_scored() {
     assert!(ended.code == 2 && ended.stderr.contains("1.scene was edited"), "{}", ended.stderr);
 }
 
+/// A model's answer counts instead of the table: here it takes a lamp for a desk.
+#[test]
+fn a_model_says_what_names_and_words_mean() {
+    use scenelang_eval::sceneeval::{question, read};
+    let row = ROWS.lines().next().unwrap();
+    let folder = folder(row);
+    fs::create_dir(folder.path().join("theirs")).unwrap();
+    fs::write(folder.path().join("theirs/0.layout.json"), LAYOUT).unwrap();
+    let benchmark = read(&format!("{HEAD}{row}")).unwrap();
+    let categories = ["desk", "lamp"].map(str::to_owned).into();
+    let answer = serde_json::json!({
+        "names": [{ "name": "desk", "categories": ["lamp", "desk"] }],
+        "words": [{ "word": "on", "relation": "none" }],
+    });
+    let turn = serde_json::json!({
+        "request": question(&benchmark.requests[0], &categories),
+        "reply": { "text": answer.to_string(), "usage": { "input": 1, "output": 1 } },
+    });
+    let talk = serde_json::json!({ "format": "scenelang.conversation/1", "model": "m", "turns": [turn] });
+    fs::write(folder.path().join("talk.json"), talk.to_string()).unwrap();
+    let given = ["--layouts", "theirs", "--format", "json"];
+    let plain = json(&eval(folder.path(), &given));
+    assert_eq!(plain["summary"]["all"]["scores"]["CNT"], serde_json::json!([2, 2]));
+    let asked = json(&eval(folder.path(), &[&given[..], &["--model", "replay:talk.json"]].concat()));
+    assert_eq!(asked["summary"]["all"]["scores"]["CNT"], serde_json::json!([0, 2]), "two desks and no lamp: {asked}");
+    assert_eq!(asked["summary"]["all"]["scores"]["OOR"], serde_json::json!([0, 0]), "the word means nothing: {asked}");
+    // A model that does not answer ends the command.
+    fs::write(folder.path().join("talk.json"), talk.to_string().replace("\"turns\":[{", "\"turns\":[],\"x\":[{"))
+        .unwrap();
+    let ended = eval(folder.path(), &[&given[..], &["--model", "replay:talk.json"]].concat());
+    assert_eq!(ended.code, 2, "{ended:?}");
+}
+
 #[test]
 fn layouts_of_others_are_scored_by_their_names() {
     let folder = folder(ROWS);

@@ -196,6 +196,11 @@ fn slopes(program: &Program, formula: &Formula, owner: ObjectId) -> Vec<Option<S
                 let vector = matches!(function, Function::Normalize | Function::Cross);
                 constant.then_some(if vector { STILL } else { NONE })
             }
+            // Which of the values it is does not change.
+            Node::Choice(_, parts) => {
+                let first = of(&parts[0]);
+                parts.iter().all(|part| of(part) == first).then_some(first).flatten()
+            }
             // A measure of its arguments alone.
             Node::BuiltIn(built_in, args)
                 if !built_in.is_predicate() && !surroundings(formula, node).is_something() =>

@@ -7,12 +7,13 @@
 //! ```
 //!
 //! All geometry is on oriented boxes or on the parts of objects, where the original has meshes; what it asks models for is
-//! in `table.txt`. Absent here: how programs and layouts are made.
+//! in `table.txt`, or in the answers of a model (`lookups`). Absent here: how programs and layouts are made.
 
 pub mod annotations;
 mod csv;
 mod fate;
 mod floor;
+mod lookups;
 mod names;
 mod places;
 pub mod plausible;
@@ -24,6 +25,8 @@ mod shape;
 mod table;
 
 pub use annotations::{Asked, Benchmark, Measure, read};
+pub use lookups::{by_model, question};
 pub use plausible::Plausible;
 pub use report::{Case, Made, Scores};
+pub use scene::categories;
 pub use table::Table;

@@ -19,8 +19,11 @@ pub struct Looks {
 }
 
 impl Looks {
-    /// Whether a name of the benchmark means it. What stands behind a colon in the name does not count.
+    /// Whether a name of the benchmark means it, as a model says or else as words do. What stands behind a colon in the name does not count.
     pub fn is_called(&self, name: &str, table: &Table) -> bool {
+        if let Some(is) = table.lookups().calls(name, &self.category) {
+            return is;
+        }
         let name = words(name.split(':').next().unwrap_or_default());
         let category = words(&self.category);
         let (Some(head), Some(noun)) = (name.last(), category.last()) else { return false };

@@ -7,6 +7,7 @@ use scenelang_lang::Program;
 use scenelang_lang::program::MountedOn;
 use scenelang_layout::convex::solid;
 use scenelang_layout::{Convex, Geometry, Layout, Polygon, Prism, Vec2};
+use std::collections::BTreeSet;
 
 /// A layout with what its program says about its objects.
 #[derive(Clone, Debug)]
@@ -75,6 +76,25 @@ impl Room {
     }
 }
 
+/// What the program says of an object of a layout, or what its name does.
+fn looks(name: &str, program: Option<&Program>) -> Looks {
+    match program.and_then(|program| program.objects.iter().find(|object| object.name == *name)) {
+        Some(object) => Looks {
+            name: name.to_owned(),
+            category: if object.category.is_empty() { base(name) } else { object.category.clone() },
+            color: object.color.clone(),
+            material: object.material.clone(),
+            features: object.features.clone(),
+        },
+        None => Looks { name: name.to_owned(), category: base(name), ..Looks::default() },
+    }
+}
+
+/// The kinds of things of a layout.
+pub fn categories(layout: &Layout, program: Option<&Program>) -> BTreeSet<String> {
+    layout.objects.iter().map(|(name, _)| looks(name, program).category).collect()
+}
+
 impl Scene {
     /// The objects and rooms of a layout. Without a program, or where it does not know an object, the object's name says
     /// what it is: `chair[2]` and `chair2` are chairs.
@@ -82,18 +102,10 @@ impl Scene {
     /// # Errors
     /// Which room is no simple polygon.
     pub fn new(layout: &Layout, program: Option<&Program>, table: &Table) -> Result<Self, String> {
+        let dressed = program.map(|program| program.dressed(&layout.draws));
+        let program = dressed.as_deref();
         let things = layout.objects.iter().map(|(name, placement)| {
-            let object = program.and_then(|program| program.objects.iter().find(|object| object.name == *name));
-            let looks = match object {
-                Some(object) => Looks {
-                    name: name.to_string(),
-                    category: if object.category.is_empty() { base(name) } else { object.category.clone() },
-                    color: object.color.clone(),
-                    material: object.material.clone(),
-                    features: object.features.clone(),
-                },
-                None => Looks { name: name.to_string(), category: base(name), ..Looks::default() },
-            };
+            let looks = looks(name, program);
             let held = held(&looks, program, table);
             let solid = solid(placement, Geometry::Parts);
             Thing { looks, shape: Shape::new(placement), solid, held }

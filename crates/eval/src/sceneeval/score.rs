@@ -47,7 +47,10 @@ pub fn is_judged(annotation: &Annotation, table: &Table) -> bool {
 
 /// The geometry of a word for a relation between objects.
 pub fn relation_of(word: &str, table: &Table) -> Option<Relation> {
-    table.find("between", word).and_then(Relation::of)
+    match table.lookups().relation(word) {
+        Some(answer) => answer.and_then(Relation::of),
+        None => table.find("between", word).and_then(Relation::of),
+    }
 }
 
 fn verdict<'a>(annotation: &'a Annotation, scene: &Scene, table: &Table) -> Option<Verdict<'a>> {

@@ -1,8 +1,10 @@
 //! The words of the benchmark, and what they mean here: `table.txt`, where the original asks a model.
 
-/// The rows of `table.txt`.
+use super::lookups::Lookups;
+
+/// The rows of `table.txt`, and what a model says instead for one request.
 #[derive(Clone, Debug)]
-pub struct Table(Vec<(String, Vec<String>)>);
+pub struct Table(Vec<(String, Vec<String>)>, Lookups);
 
 /// Key and words of each row.
 const TEXT: &str = include_str!("table.txt");
@@ -17,7 +19,18 @@ impl Table {
     /// The table.
     pub fn new() -> Self {
         let rows = TEXT.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once(" : "));
-        Self(rows.map(|(key, words)| (key.to_owned(), words.split(' ').map(str::to_owned).collect())).collect())
+        let rows = rows.map(|(key, words)| (key.to_owned(), words.split(' ').map(str::to_owned).collect())).collect();
+        Self(rows, Lookups::default())
+    }
+
+    /// The table with answers of a model.
+    pub fn with(lookups: Lookups) -> Self {
+        Self(Self::new().0, lookups)
+    }
+
+    /// What a model answered; nothing where none was asked.
+    pub fn lookups(&self) -> &Lookups {
+        &self.1
     }
 
     /// The words of each row with this key.

@@ -61,6 +61,8 @@ const TOUCHING: f64 = 0.01;
 pub type Looks<'a> = &'a dyn Fn(&str) -> Option<&'a Mesh>;
 
 pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, BuildError> {
+    let dressed = input.program.dressed(&input.layout.draws);
+    let input = &SceneInput { program: &dressed, ..*input };
     let mut wardrobe = Wardrobe::default();
     let (rows, mentions) = rows(input);
     let regions = regions(input)?;

@@ -1,9 +1,13 @@
 //! The scene itself: bodies, rows, walls, and what cannot be drawn.
 
 use crate::fixture::{parts, scene};
-use scenelang_export::BuildError;
+use scenelang_base::FileId;
 use scenelang_export::scene::{Body, RegionKind, Role};
-use scenelang_layout::Vec2;
+use scenelang_export::{BuildError, Scene, SceneInput};
+use scenelang_lang::{Options, compile_text};
+use scenelang_layout::{Vec2, file};
+use serde_json::json;
+use std::path::Path;
 
 #[test]
 fn bodies_follow_what_the_program_allows() {
@@ -103,4 +107,41 @@ fn what_is_not_placed_is_named() {
     let mut flat = parts();
     flat.layout.regions[0].1.vertices = Some(vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]);
     assert!(matches!(flat.build().unwrap_err(), BuildError::Floor(name, _) if name == "hall"));
+}
+
+/// A scene shows the colours that the draws of its layout choose.
+#[test]
+fn what_is_chosen_is_shown() {
+    let surfaces = |[wall, floor, box_color]: [&str; 3], draws: &str| {
+        let text = format!(
+            "region room; room.scale <- vec3(4, 2.6, 4); room.pos <- vec3(0, 0, 0); object box; box.category <- \"box\";\n\
+             box.color <- {box_color}; room.wallColor <- {wall}; room.floorMaterial <- {floor};"
+        );
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
+        let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+        let layout = format!(
+            r#"{{ "format": "scenelang.layout/1", "objects": {{ "box": {{ "pos": [0, 0, 0], "scale": [1, 1, 1] }} }},
+                 "regions": {{ "room": {{ "pos": [0, 0, 0], "scale": [4, 2.6, 4] }} }}, "draws": {draws} }}"#
+        );
+        let read = file::read(&layout, FileId(0));
+        let report = json!({ "format": "scenelang.report/1", "eta": 0.03, "constraints": [], "diagnostics": [] });
+        let input = SceneInput {
+            name: "room",
+            program: &program,
+            sources: &compiled.sources,
+            files: &[compiled.main],
+            layout: &read.layout,
+            layout_text: &layout,
+            report: &report,
+        };
+        format!("{:?}", Scene::build(&input).unwrap().surfaces)
+    };
+    let chosen = ["oneOf(\"red\", \"blue\")", "oneOf(\"oak\", \"tile\")", "oneOf(\"green\", \"white\", \"black\")"];
+    let draws = |wall: u8, floor: u8, thing: u8| {
+        format!(r#"{{ "room.wallColor/0": {wall}, "room.floorMaterial/0": {floor}, "box.color/0": {thing} }}"#)
+    };
+    let last = surfaces(["\"blue\"", "\"tile\"", "\"black\""], "{}");
+    assert_eq!(surfaces(chosen, &draws(1, 1, 2)), last);
+    assert_eq!(surfaces(chosen, &draws(0, 1, 1)), surfaces(["\"red\"", "\"tile\"", "\"white\""], "{}"));
+    assert_ne!(surfaces(chosen, &draws(0, 1, 2)), last);
 }

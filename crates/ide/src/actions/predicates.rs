@@ -9,7 +9,7 @@ use scenelang_lang::ast::{ExprId, ExprKind, StmtKind};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::{LocalKind, Resolution};
 use scenelang_lang::items::ItemKind;
-use scenelang_lang::token::{Kind as Token, lex};
+use scenelang_lang::token::lex;
 use scenelang_lang::types::Ty;
 
 /// A condition that a selection covers, or all of the constraint that the cursor is in, becomes a predicate.
@@ -36,7 +36,7 @@ pub(super) fn extract(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Actio
     let Some(written) = text.get(chosen.bytes()) else { return Ok(()) };
     // A draw belongs to its place: moved into a predicate it would be another one.
     let tokens = lex(written);
-    if tokens.len() < 4 || tokens.iter().any(|t| t.kind == Token::Rand) {
+    if tokens.len() < 4 || tokens.iter().any(|t| scenelang_lang::natives::is_draw(&written[t.range.bytes()])) {
         return Ok(());
     }
     let names = occurrences(snapshot, snapshot.main())?;

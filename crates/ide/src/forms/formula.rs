@@ -49,7 +49,7 @@ impl<'a> Formulas<'a> {
             match node {
                 Node::Region(_, id) | Node::SamePolygon(id, _) => drop(regions.insert(*id)),
                 Node::Variable(id) => drop(variables.insert(*id)),
-                Node::Draw(id) => drop(draws.insert(*id)),
+                Node::Draw(id) | Node::Choice(id, _) => drop(draws.insert(*id)),
                 Node::BuiltIn(_, args) => {
                     regions.extend(args.iter().filter_map(|a| if let Arg::Region(id) = a { Some(*id) } else { None }));
                 }
@@ -148,6 +148,7 @@ impl<'a> Formulas<'a> {
             Node::AtLeast(..) => "atLeast".to_owned(),
             Node::BuiltIn(built_in, _) => built_in.name().to_owned(),
             Node::SamePolygon(..) => "samePolygon".to_owned(),
+            Node::Choice(..) => "oneOf".to_owned(),
             Node::Number(_)
             | Node::Truth(_)
             | Node::Object(..)
@@ -161,6 +162,7 @@ impl<'a> Formulas<'a> {
         match node {
             Node::Compare(_, unit, ..) => json.member("unit", unit_word(*unit)),
             Node::AtLeast(n, _) => json.member("count", *n),
+            Node::Choice(id, _) => json.member("draw", self.draw(*id)),
             _ => {}
         }
     }
@@ -195,7 +197,7 @@ impl<'a> Formulas<'a> {
         match node {
             Node::Compare(_, unit, ..) => [*unit; 2],
             Node::Rotation(_) | Node::Call(Function::Sin | Function::Cos, _) => [deg; 2],
-            Node::Neg(_) | Node::Arith(Arith::Add | Arith::Sub, ..) => [unit; 2],
+            Node::Neg(_) | Node::Arith(Arith::Add | Arith::Sub, ..) | Node::Choice(..) => [unit; 2],
             Node::Call(Function::Abs | Function::Min | Function::Max, _) => [unit; 2],
             // Of a product that is an angle one factor is. If neither shows it, both are numbers or draws: the first.
             Node::Arith(Arith::Mul, a, b) if unit == deg => {
@@ -223,7 +225,9 @@ impl<'a> Formulas<'a> {
             },
             Node::Variable(id) => self.program.variables[id.0 as usize].kind == VariableKind::Degree,
             Node::Call(Function::Angle, _) => true,
-            Node::Call(Function::Abs | Function::Min | Function::Max, list) => list.iter().any(angle),
+            Node::Call(Function::Abs | Function::Min | Function::Max, list) | Node::Choice(_, list) => {
+                list.iter().any(angle)
+            }
             Node::Neg(a) => angle(a),
             Node::Arith(Arith::Div, a, b) => angle(a) && !angle(b),
             Node::Arith(_, a, b) => angle(a) || angle(b),

@@ -32,6 +32,10 @@ fn names() {
         says(&Fixture::at(marked), parts);
     }
     says(&Fixture::with("assert atH$0and(lamp, bed);"), "predicate atHand(Object a, Object b)|within arm's length");
+    says(
+        &Fixture::with("bed.color <- one$0Of(\"red\", \"blue\");"),
+        "oneOf(String a, String b, …) -> String|drawn with equal chances",
+    );
     says(&Fixture::with("assert forall $0s in stand: s.top < 1;"), "Object s|variable of a quantifier");
     assert_eq!(said(&Fixture::with("// a be$0d")), None);
 }

@@ -74,7 +74,7 @@ struct Look<'a, F: FnOnce() -> Vec<u64>> {
 }
 
 impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
-    /// Whether two expressions have the same value wherever they stand. Each `rand` is a draw of its own.
+    /// Whether two expressions have the same value wherever they stand. Each `rand` or `oneOf` is a draw of its own.
     fn same(&self, a: ExprId, b: ExprId) -> bool {
         let (x, y) = (&self.stmt.expr(a).kind, &self.stmt.expr(b).kind);
         let alike = || self.hashes[a.0 as usize] == self.hashes[b.0 as usize];
@@ -100,7 +100,7 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
     fn may_draw(&self, kind: &ExprKind) -> bool {
         let ExprKind::Call(name, _) = kind else { return false };
         let library = || self.names.predicate(&name.text).is_some_and(|p| p.library);
-        name.text == "rand" || !(natives::is_built_in(&name.text) || library())
+        natives::is_draw(&name.text) || !(natives::is_built_in(&name.text) || library())
     }
 
     fn constant(&self, id: ExprId) -> bool {

@@ -128,7 +128,7 @@ impl<'a> Gather<'a> {
             }
             ExprKind::Where(..) => self.filter(id),
             ExprKind::Call(name, _) => {
-                self.out.draws |= name.text == "rand";
+                self.out.draws |= crate::natives::is_draw(&name.text);
                 if self.called.insert(&name.text) {
                     self.out.calls.push(name.text.clone());
                 }

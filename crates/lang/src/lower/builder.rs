@@ -192,7 +192,7 @@ fn hash(node: &Node) -> u64 {
         Node::Object(p, id) => (p, id).hash(&mut h),
         Node::Region(p, id) => (p, id).hash(&mut h),
         Node::Variable(id) => id.hash(&mut h),
-        Node::Draw(id) => id.hash(&mut h),
+        Node::Draw(id) | Node::Choice(id, _) => id.hash(&mut h),
         Node::Arith(op, ..) => op.hash(&mut h),
         Node::Component(axis, _) => axis.hash(&mut h),
         Node::Call(f, _) => f.hash(&mut h),

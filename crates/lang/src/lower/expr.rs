@@ -52,7 +52,7 @@ impl<'a> Lowerer<'a, '_> {
             }
             ExprKind::Own(name) => {
                 let own = self.f.own.ok_or(Poison)?;
-                Ok(Val::Text(self.object_text(own, &name.text)?))
+                self.object_text(own, &name.text)
             }
             ExprKind::Index(base, index) => self.index(*base, *index, range),
             ExprKind::Neg(e) => match self.lower(*e)? {
@@ -212,7 +212,7 @@ impl<'a> Lowerer<'a, '_> {
                     None => P::Scale,
                 }
             }
-            _ => return Ok(Val::Text(self.object_text(id, name)?)),
+            _ => return self.object_text(id, name),
         };
         let node = self.f.b.add(Node::Object(p, id), range);
         Ok(match p {
@@ -272,7 +272,7 @@ impl<'a> Lowerer<'a, '_> {
             _ => {
                 let region = self.program.regions[id.0 as usize].name.clone();
                 return match self.items.assignments.get(&self.key(&region, None, name)).copied() {
-                    Some(a) => Ok(Val::Text(self.static_text(a)?)),
+                    Some(a) => self.static_text(a, format!("{region}.{name}")),
                     None => Ok(Val::Text(SmolStr::default())),
                 };
             }
@@ -373,6 +373,10 @@ impl<'a> Lowerer<'a, '_> {
                 if equal { iff } else { b.not(iff, range) }
             }
             (Val::Text(a), Val::Text(c)) => known(b, a == c),
+            (a @ (Val::Text(_) | Val::TextOf(..)), c @ (Val::Text(_) | Val::TextOf(..))) => {
+                let same = self.same_text(&a, &c, range)?;
+                if equal { same } else { self.f.b.not(same, range) }
+            }
             (Val::Object(a), Val::Object(c)) => known(b, a == c),
             (Val::Region(a), Val::Region(c)) => known(b, a == c),
             _ => return Err(Poison),
@@ -471,8 +475,10 @@ impl<'a> Lowerer<'a, '_> {
     }
 
     fn call(&mut self, name: &Name, args: &[ExprId], range: TextRange, top: bool) -> Lowered<Val> {
-        if name.text == "rand" {
-            return self.rand(args, range);
+        match name.text.as_str() {
+            "rand" => return self.rand(args, range),
+            "oneOf" => return self.one_of(args, range),
+            _ => {}
         }
         if !natives::is_built_in(&name.text) {
             let predicate = self.predicate(&name.text).ok_or(Poison)?;
@@ -547,7 +553,7 @@ impl<'a> Lowerer<'a, '_> {
         // Taken as impure while it is being looked at; circles were refused before.
         self.pure.insert(key.clone(), false);
         let pure = p.place.stmt.exprs.iter().all(|e| match &e.kind {
-            ExprKind::Call(name, _) if name.text == "rand" => false,
+            ExprKind::Call(name, _) if natives::is_draw(&name.text) => false,
             ExprKind::Call(name, _) if natives::is_built_in(&name.text) => true,
             ExprKind::Call(name, _) => {
                 self.items.predicate(&name.text, p.is_library()).is_some_and(|q| self.is_pure(q))
@@ -557,42 +563,6 @@ impl<'a> Lowerer<'a, '_> {
         });
         self.pure.insert(key, pure);
         pure
-    }
-
-    fn rand(&mut self, args: &[ExprId], range: TextRange) -> Lowered<Val> {
-        let key = format!("{}/{}", self.f.draw_key, self.f.draw_count);
-        self.f.draw_count += 1;
-        let mut bounds = Vec::new();
-        let mut ty = Ty::Literal;
-        for arg in args {
-            let Val::Num(n, t) = self.lower(*arg)? else { return Err(Poison) };
-            ty = ty.join_numeric(t).ok_or(Poison)?;
-            let bound = self.f.b.extract(n);
-            let depends = bound
-                .nodes
-                .iter()
-                .any(|n| matches!(n, Node::Object(..) | Node::Region(..) | Node::Variable(_) | Node::BuiltIn(..)));
-            if depends {
-                let message =
-                    "the bounds of `rand` must not depend on the layout, because values are drawn before solving";
-                self.error(codes::E0306, range, message);
-                return Err(Poison);
-            }
-            bounds.push(bound);
-        }
-        let [lo, hi] = <[Formula; 2]>::try_from(bounds).map_err(|_| Poison)?;
-        let id = match self.draws.get(&key) {
-            Some(id) => *id,
-            None => {
-                let id = DrawId(self.program.draws.len() as u32);
-                let place = self.f.place.filter(|p| p.file.is_some()).or(self.f.root);
-                let span = place.and_then(|p| p.span(p.stmt.range)).ok_or(Poison)?;
-                self.program.draws.push(Draw { key: key.clone(), lo, hi, span });
-                self.draws.insert(key, id);
-                id
-            }
-        };
-        Ok(Val::Num(self.f.b.add(Node::Draw(id), range), ty))
     }
 
     fn built_in(&mut self, name: &str, values: &[Val], range: TextRange, top: bool) -> Lowered<Val> {

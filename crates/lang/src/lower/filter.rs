@@ -68,6 +68,7 @@ impl Lowerer<'_, '_> {
                     format!("`{}`, which the solver chooses", self.program.variables[id.0 as usize].name)
                 }
                 Node::Draw(_) => "a random number".to_owned(),
+                Node::Choice(..) => "a random choice".to_owned(),
                 Node::BuiltIn(_, args) => {
                     let objects = args.iter().filter_map(|a| if let Arg::Object(o) = a { Some(name(o)) } else { None });
                     let objects: Vec<String> = objects.collect();

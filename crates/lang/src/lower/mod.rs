@@ -2,6 +2,7 @@
 //! put in place. Statements with errors are left out; whoever needs one of them is left out too, without a word.
 
 mod builder;
+mod draws;
 mod expr;
 mod filter;
 mod guidelines;
@@ -36,6 +37,8 @@ enum Val {
     Rot(NodeId),
     Truth(NodeId),
     Text(SmolStr),
+    /// A text that a draw chooses.
+    TextOf(DrawId, Rc<[SmolStr]>),
     Object(ObjectId),
     Region(RegionId),
     Set(Rc<[ObjectId]>),
@@ -116,7 +119,7 @@ struct Lowerer<'a, 'b> {
     /// Definitions and properties being put in place, outermost first.
     values_open: Vec<String>,
     /// Texts of objects' properties that were asked for, by the property.
-    texts: FxHashMap<(ObjectId, SmolStr), SmolStr>,
+    texts: FxHashMap<(ObjectId, SmolStr), Val>,
     /// Of filters that name nothing but properties of the object.
     filtered: filter::Filtered,
     guidelines: Guidelines,
@@ -233,7 +236,8 @@ impl<'a> Lowerer<'a, '_> {
         for i in 0..self.program.objects.len() {
             let id = ObjectId(i as u32);
             for property in ["color", "material", "features", "category", "role"] {
-                let text = self.object_text(id, property).unwrap_or_default().to_string();
+                let value = self.object_text(id, property).unwrap_or_else(|_| Val::Text(SmolStr::default()));
+                let text = self.declared_text(Owner::Object(id), property, &value);
                 let object = &mut self.program.objects[i];
                 *match property {
                     "color" => &mut object.color,
@@ -248,8 +252,9 @@ impl<'a> Lowerer<'a, '_> {
             let name = self.program.regions[i].name.clone();
             for p in crate::natives::REGION_PROPERTIES.iter().filter(|p| p.assignable && p.ty.is_text()) {
                 let Some(a) = self.items.assignments.get(&self.key(&name, None, p.name)).copied() else { continue };
-                if let Ok(text) = self.static_text(a) {
-                    self.program.regions[i].texts.push((p.name.into(), text.to_string()));
+                if let Ok(value) = self.static_text(a, format!("{name}.{}", p.name)) {
+                    let text = self.declared_text(Owner::Region(RegionId(i as u32)), p.name, &value);
+                    self.program.regions[i].texts.push((p.name.into(), text));
                 }
             }
         }
@@ -281,8 +286,32 @@ impl<'a> Lowerer<'a, '_> {
         }
     }
 
+    /// What a program says of a text property before anything is drawn. What a thing is cannot be drawn: sizes, roles and
+    /// sets depend on it.
+    fn declared_text(&mut self, owner: Owner, property: &str, value: &Val) -> String {
+        let (draw, texts) = match value {
+            Val::Text(text) => return text.to_string(),
+            Val::TextOf(draw, texts) => (*draw, texts),
+            _ => return String::new(),
+        };
+        if matches!(property, "category" | "features" | "role") {
+            let span = self.program.draws[draw.0 as usize].span;
+            let message = format!("`{property}` must be known before anything is drawn, so `oneOf` cannot choose it");
+            let d = Diagnostic::new(codes::E0306, span, message)
+                .note("`oneOf` can choose colours, materials, numbers, vectors such as sizes, and rotations");
+            if !self.out.contains(&d) {
+                self.out.push(d);
+            }
+            return String::new();
+        }
+        let all: Vec<String> = texts.iter().map(SmolStr::to_string).collect();
+        let first = all[0].clone();
+        self.program.drawn_texts.push(DrawnText { owner, property: property.into(), draw, texts: all });
+        first
+    }
+
     /// The text of an object's property: what is assigned, else `""`; of a role, else what the category says.
-    fn object_text(&mut self, id: ObjectId, property: &str) -> Lowered<SmolStr> {
+    fn object_text(&mut self, id: ObjectId, property: &str) -> Lowered<Val> {
         // Quantifiers over pairs of objects ask for the same texts over and over.
         let key = (id, SmolStr::new(property));
         if let Some(text) = self.texts.get(&key) {
@@ -293,12 +322,15 @@ impl<'a> Lowerer<'a, '_> {
         Ok(text)
     }
 
-    fn find_object_text(&mut self, id: ObjectId, property: &str) -> Lowered<SmolStr> {
+    fn find_object_text(&mut self, id: ObjectId, property: &str) -> Lowered<Val> {
         let (name, element) = self.object_key(id);
         let Some(a) = self.items.assignments.get(&self.key(&name, element, property)).copied() else {
             return match property {
-                "role" => Ok(roles::role_of(&self.object_text(id, "category")?).into()),
-                _ => Ok(SmolStr::default()),
+                "role" => match self.object_text(id, "category")? {
+                    Val::Text(category) => Ok(Val::Text(roles::role_of(&category).into())),
+                    _ => Err(Poison),
+                },
+                _ => Ok(Val::Text(SmolStr::default())),
             };
         };
         let key = format!("{}.{property}", self.program.objects[id.0 as usize].name);
@@ -307,8 +339,8 @@ impl<'a> Lowerer<'a, '_> {
             self.circle(a, format!("properties are defined in terms of each other: {}", circle.join(" → ")));
             return Err(Poison);
         }
-        self.values_open.push(key);
-        let text = self.static_text(a);
+        self.values_open.push(key.clone());
+        let text = self.static_text(a, key);
         self.values_open.pop();
         text
     }
@@ -322,9 +354,9 @@ impl<'a> Lowerer<'a, '_> {
         }
     }
 
-    fn static_text(&mut self, a: Assignment<'a>) -> Lowered<SmolStr> {
-        let value = self.in_frame(a.place, String::new(), |l| l.lower(a.value))?;
-        if let Val::Text(text) = value { Ok(text) } else { Err(Poison) }
+    fn static_text(&mut self, a: Assignment<'a>, draw_key: String) -> Lowered<Val> {
+        let value = self.in_frame(a.place, draw_key, |l| l.lower(a.value))?;
+        if matches!(value, Val::Text(_) | Val::TextOf(..)) { Ok(value) } else { Err(Poison) }
     }
 
     /// Runs `work` on a fresh formula for `place`, unless that statement is bad.

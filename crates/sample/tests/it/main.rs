@@ -3,6 +3,7 @@
 
 mod energy;
 mod plain;
+mod skipped;
 
 use energy::distance_test;
 use plain::{compiled, features, plain};
@@ -265,6 +266,66 @@ fn each_sample_has_draws_of_its_own_and_hopeless_ones_are_counted() {
         let draws = scenelang_solve::draws(program, drawn.seed);
         assert!(draws[0].1 > 4.0 - 0.1, "{draws:?} admits layouts");
     }
+}
+
+/// A colour that no statement reads has no say in where things are; a size has.
+#[test]
+fn choices_are_made_anew_for_each_sample() {
+    let looks = "a.color <- oneOf(\"red\", \"green\", \"blue\"); b.material <- oneOf(\"oak\", \"walnut\");";
+    let sizes = "object c; c.dimensions <- oneOf(vec3(0.4, 0.5, 0.3), vec3(0.6, 0.5, 0.3)); assert c.scale.x < 1;";
+    // The second size is more than the room holds.
+    let hopeless = "object c; c.dimensions <- oneOf(vec3(0.4, 0.5, 0.3), vec3(9, 0.5, 9));";
+    for (text, count) in [(looks, 60), (sizes, 24), (hopeless, 12)] {
+        let text = format!("{}{text}", text_of(0));
+        let compiled = compiled(&text);
+        let program = compiled.program.as_ref().expect("it compiles");
+        let all = samples(program, true, count);
+        let mut coverage = Coverage::new(program);
+        all.iter().for_each(|drawn| coverage.add(drawn));
+        let report = coverage.json(program, &|index| format!("statement {index}"));
+        for drawn in all.iter() {
+            assert_eq!(drawn.draws, scenelang_solve::draws(program, drawn.seed));
+            if let Ok(sample) = &drawn.result {
+                assert_eq!(sample.layout.draws, drawn.draws);
+                assert!(holds(program, &sample.layout, &scenelang_verify::Options::default()));
+            }
+        }
+        let draws = report["draws"].as_array().expect("a list");
+        assert_eq!(draws.len(), program.draws.len());
+        for draw in draws {
+            let of = |member: &str| -> Vec<u64> {
+                let choices = draw["choices"].as_array().expect("a list");
+                choices.iter().map(|choice| choice[member].as_u64().expect("a count")).collect()
+            };
+            let (stored, none) = (of("stored"), of("noLayout"));
+            assert_eq!(stored.iter().chain(&none).sum::<u64>(), count, "{draw}");
+            if text.contains("vec3(9") {
+                assert!(stored[0] > 0 && none[1] > 0 && stored[1] == 0 && none[0] == 0, "{draw}");
+            } else {
+                assert!(stored.iter().all(|times| *times >= count / 6), "{draw}");
+            }
+        }
+        let is_shared = text.contains("color");
+        assert_eq!(program.draws_of_places().is_empty(), is_shared);
+        assert_eq!(coverage.text(program, &|_| String::new()).contains("red "), is_shared);
+    }
+}
+
+/// What is drawn for looks alone is spread as it is without.
+#[test]
+fn looks_do_not_change_where_things_are() {
+    let plain = text_of(1);
+    let looks = format!("{plain}a.color <- oneOf(\"red\", \"green\");");
+    let [plain, looks] = [&plain, &looks].map(|text| {
+        let compiled = compiled(text);
+        let program = compiled.program.as_ref().expect("it compiles");
+        let poses = |drawn: Drawn| {
+            let objects = drawn.result.expect("it has a layout").layout.objects;
+            objects.into_iter().map(|(_, placement)| (placement.pos, placement.rot)).collect::<Vec<_>>()
+        };
+        samples(program, true, 8).into_iter().map(poses).collect::<Vec<_>>()
+    });
+    assert_eq!(plain, looks);
 }
 
 #[test]

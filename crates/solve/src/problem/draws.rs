@@ -1,4 +1,4 @@
-//! Draws of `rand`: each uniform between its bounds, fixed by the seed and its own key.
+//! Draws of `rand` and `oneOf`: each uniform between its bounds, or among the arguments, fixed by the seed and its own key.
 //!
 //! So a draw keeps its value when statements elsewhere come and go.
 
@@ -22,8 +22,10 @@ pub(crate) fn draw(program: &Program, seed: u64) -> (Vec<(String, f64)>, Vec<Str
         };
         match (number(&draw.lo), number(&draw.hi)) {
             (Some(lo), Some(hi)) if lo <= hi => {
+                let part = unit(seed, &draw.key);
+                let value = if draw.is_choice { (part * (hi + 1.0)).floor() } else { lo + (hi - lo) * part };
                 // Rounding must not lead out of the bounds.
-                let value = (lo + (hi - lo) * unit(seed, &draw.key)).clamp(lo, hi);
+                let value = value.clamp(lo, hi);
                 world.set_draw(DrawId(index as u32), Ok(value));
                 drawn.push((draw.key.clone(), value));
             }
@@ -42,7 +44,8 @@ fn unit(seed: u64, key: &str) -> f64 {
     (generator.next_u64() >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// What `rand` yields for a seed, by key, in the order of the program. A draw whose bounds have no value is left out.
+/// What `rand` yields, and which argument (from 0) `oneOf` chooses, for a seed, by key, in the order of the program. A draw
+/// whose bounds have no value is left out.
 pub fn draws(program: &Program, seed: u64) -> Vec<(String, f64)> {
     draw(program, seed).0
 }

@@ -27,7 +27,9 @@ pub fn check(program: &Program, world: &mut World<f64>, places: Option<&Places>,
                 let say = format!("the lower bound of this `rand`, {lo}, is greater than the upper bound, {hi}");
                 Some(Diagnostic::new(codes::E0603, draw.span, say))
             }
-            (Ok((lo, hi)), Ok(value)) if value < lo - ROUNDING || value > hi + ROUNDING => {
+            (Ok((lo, hi)), Ok(value))
+                if value < lo - ROUNDING || value > hi + ROUNDING || draw.is_choice && value.fract() != 0.0 =>
+            {
                 Some(outside(draw, value, lo, hi, places))
             }
             _ => continue,
@@ -38,7 +40,10 @@ pub fn check(program: &Program, world: &mut World<f64>, places: Option<&Places>,
 }
 
 fn outside(draw: &Draw, value: f64, lo: f64, hi: f64, places: Option<&Places>) -> Diagnostic {
-    let message = format!("the draw `{}` is {value}, outside its bounds {lo} to {hi}", draw.key);
+    let message = match draw.is_choice {
+        true => format!("the draw `{}` is {value}, but `oneOf` needs a whole number from {lo} to {hi}", draw.key),
+        false => format!("the draw `{}` is {value}, outside its bounds {lo} to {hi}", draw.key),
+    };
     match places.and_then(|places| places.draws.get(&draw.key)) {
         Some(entry) => Diagnostic::new(codes::E0505, entry.place.value, message).related(draw.span, "drawn here"),
         None => Diagnostic::new(codes::E0505, draw.span, message),

@@ -11,7 +11,7 @@ use measured::Measured;
 pub use measured::{Block, Flat, blocks, gap, leaning};
 
 use crate::builtins::Call;
-use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, outline};
+use crate::eval::{Cause, EvalError, Oracle, Scratch, Truth, Value, Values, chosen, outline};
 use crate::number::Algebra;
 use crate::prove::interval::Interval;
 use crate::prove::tape::{Claim, Fact, Op, Tape, Term, unknown};
@@ -566,6 +566,7 @@ impl Oracle<Term> for Boxes<'_, '_> {
                 _ => Err(none()),
             },
             Node::Draw(draw) => Ok(Value::Number(Term::constant(self.plain.draw(*draw).map_err(fail)?))),
+            Node::Choice(draw, list) => chosen(self.plain.draw(*draw).map_err(fail)?, list, values),
             Node::BuiltIn(built_in, args) => {
                 Call { built_in: *built_in, args, values, world, node: id }.fast(self)?.ok_or_else(none)
             }

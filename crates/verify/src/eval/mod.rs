@@ -37,6 +37,12 @@ pub(crate) trait Oracle<N: Algebra> {
     fn ask(&mut self, node: &Node, id: NodeId, values: &Values<N>, world: &World<N>) -> Result<Value<N>, EvalError>;
 }
 
+/// The value that a draw chooses; draws of a layout are in their bounds.
+pub(crate) fn chosen<N: Algebra>(draw: f64, list: &[NodeId], values: &Values<N>) -> Result<Value<N>, EvalError> {
+    let at = (draw.max(0.0) as usize).min(list.len() - 1);
+    values[list[at].0 as usize]
+}
+
 /// What geometry measures on plain floats.
 struct Measured;
 
@@ -47,6 +53,7 @@ impl<N: Number> Oracle<N> for Measured {
             Node::Object(ObjectProperty::Surface, object) => property::surface(world, *object).map_err(fail),
             Node::Region(property, region) => property::of_outline(world, *property, *region).map_err(fail),
             Node::Draw(draw) => Ok(Value::Number(N::constant(world.draw(*draw).map_err(fail)?))),
+            Node::Choice(draw, list) => chosen(world.draw(*draw).map_err(fail)?, list, values),
             Node::BuiltIn(built_in, args) => Call { built_in: *built_in, args, values, world, node: id }.exact(),
             Node::Same(a, b) => {
                 let (a, b) = (values[a.0 as usize]?, values[b.0 as usize]?);
@@ -168,6 +175,7 @@ impl<N: Algebra> Scratch<N> {
             node @ (Node::Object(ObjectProperty::Surface, _)
             | Node::Region(RegionProperty::Area | RegionProperty::Center, _)
             | Node::Draw(_)
+            | Node::Choice(..)
             | Node::BuiltIn(..)
             | Node::SamePolygon(..)) => oracle.ask(node, id, values, world)?,
             Node::Object(property, object) => property::of_object(world, *property, *object).map_err(fail)?,

@@ -467,7 +467,7 @@ fn things(formula: &Formula) -> Vec<Thing> {
     for node in &formula.nodes {
         match node {
             Node::Variable(v) => out.push(Thing::Variable(v.0)),
-            Node::Draw(d) => out.push(Thing::Draw(d.0)),
+            Node::Draw(d) | Node::Choice(d, _) => out.push(Thing::Draw(d.0)),
             _ => {}
         }
     }

@@ -17,7 +17,8 @@ use crate::vector::{M3, V3};
 use crate::world::{Body, Room, Thing, World};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
-    Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit, VariableKind,
+    DrawId, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit,
+    VariableKind,
 };
 use scenelang_layout::Prism;
 use scenelang_layout::file::LARGEST;
@@ -289,7 +290,7 @@ impl<'p> Unknowns<'p> {
         for pin in pins {
             let Some(formula) = pin.values.first() else { continue };
             // Nothing is in the instance yet, so that whatever depends on it has no value.
-            let plain = formula.nodes.iter().all(|n| !matches!(n, Node::Draw(_) | Node::BuiltIn(..)));
+            let plain = formula.nodes.iter().all(|n| n.draw().is_none() && !matches!(n, Node::BuiltIn(..)));
             let world = Rc::clone(&self.world);
             if plain
                 && let Ok(Value::Rotation(value) | Value::Vector(value)) = scratch.evaluate_with(formula, &world, self)
@@ -565,6 +566,28 @@ impl<'p> Unknowns<'p> {
         Ok(Value::Truth(claimed(self.open(question, &[]))))
     }
 
+    /// One of several values: between the least and the greatest of them. The same choice among the same known numbers is
+    /// one measure.
+    fn choice(&mut self, draw: DrawId, list: &[NodeId], values: &Values<Term>) -> Result<Value<Term>, EvalError> {
+        let all = list.iter().map(|id| values[id.0 as usize]).collect::<Result<Vec<_>, _>>()?;
+        let numbers: Option<Vec<Term>> =
+            all.iter().map(|value| if let Value::Number(n) = value { Some(*n) } else { None }).collect();
+        Ok(match (all[0], numbers) {
+            (_, Some(numbers)) => {
+                let around =
+                    numbers.iter().map(|n| range(*n)).reduce(|a, b| Interval::new(a.lo.min(b.lo), a.hi.max(b.hi)));
+                let around = around.unwrap_or(Interval::ALL);
+                match numbers.iter().map(|n| n.known()).collect::<Option<Vec<f64>>>() {
+                    Some(known) => Value::Number(self.term(format!("choice {draw:?} {known:?}"), around).0),
+                    None => Value::Number(unknown(around)),
+                }
+            }
+            (Value::Vector(_), _) => Value::Vector(place()),
+            (Value::Rotation(_), _) => Value::Rotation(V3(std::array::from_fn(|_| turn()))),
+            _ => Value::Truth(claimed(open())),
+        })
+    }
+
     /// The axes of a rotation: of an object, or of an angle that is known.
     fn axes_of(&self, rot: V3<Term>) -> Option<M3<Term>> {
         match self.owners.get(&rot.0) {
@@ -635,6 +658,7 @@ impl Oracle<Term> for Unknowns<'_> {
                 let (lo, hi) = (bound(&stated.lo), bound(&stated.hi));
                 Value::Number(self.term(name, Interval::new(lo.lo - EXACT, hi.hi + EXACT)).0)
             }
+            Node::Choice(draw, list) => self.choice(*draw, list, values)?,
             Node::BuiltIn(built_in, args) => {
                 Call { built_in: *built_in, args, values, world, node: id }.bounds(self)?
             }
