@@ -1,7 +1,7 @@
-// Builds the page into a folder: `node build.mjs [--engine FILE.wasm] [--to FOLDER]`. With a module, examples get their
+// Builds the page into a folder, without anything of an earlier build: `node build.mjs [--engine FILE.wasm] [--to FOLDER]`. With a module, examples get their
 // layouts from it, and both its sizes are told; without one, only the scripts are made and checked.
 import { build } from "esbuild";
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -9,6 +9,7 @@ import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const { values: given } = parseArgs({ options: { engine: { type: "string" }, to: { type: "string", default: here("dist") } } });
+rmSync(given.to, { recursive: true, force: true });
 mkdirSync(given.to, { recursive: true });
 
 const common = { bundle: true, minify: true, format: "iife", target: "es2022", charset: "ascii", legalComments: "eof", logLevel: "warning" };
@@ -42,8 +43,18 @@ const virtual = {
     });
   },
 };
-await build({ ...common, entryPoints: [here("src/main.ts")], outfile: join(given.to, "playground.js"), loader: { ".css": "text" }, plugins: [virtual] });
+const { metafile } = await build({ ...common, absWorkingDir: here("."), metafile: true, entryPoints: [here("src/main.ts")], outfile: join(given.to, "playground.js"), loader: { ".css": "text" }, plugins: [virtual] });
 copyFileSync(here("index.html"), join(given.to, "index.html"));
+
+// What is bundled keeps its licence.
+const bundled = new Set(Object.keys(metafile.inputs).flatMap((path) => /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(path) ?? []));
+const licences = [...bundled].sort().map((module_) => {
+  const { name, version } = JSON.parse(readFileSync(here(`${module_}/package.json`), "utf8"));
+  const file = readdirSync(here(module_)).find((entry) => /^licen[cs]e/i.test(entry));
+  if (file === undefined) throw new Error(`${name} has no licence`);
+  return `${name} ${version}\n\n${readFileSync(here(`${module_}/${file}`), "utf8").trim()}\n`;
+});
+writeFileSync(join(given.to, "THIRD-PARTY.txt"), licences.join(`\n${"-".repeat(80)}\n\n`));
 
 const script = readFileSync(join(given.to, "playground.js"));
 const mib = (bytes) => `${(bytes / 2 ** 20).toFixed(2)} MiB`;

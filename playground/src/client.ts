@@ -17,11 +17,7 @@ export class Client {
   private readonly waiting = new Map<number, { done(answer: unknown): void; failed(why: Error): void }>();
   private last = 0;
 
-  /** `begun` is called whenever a worker starts that knows of nothing yet. */
-  constructor(
-    private readonly module: WebAssembly.Module,
-    private readonly begun: (client: Client) => void = () => {},
-  ) {}
+  constructor(private readonly module: WebAssembly.Module) {}
 
   get busy(): boolean {
     return this.waiting.size > 0;
@@ -36,8 +32,13 @@ export class Client {
     });
   }
 
-  /** Ends what it does. */
-  end(why: Error = new CalledOff("it was called off")): void {
+  /** Ends what it does; a worker that waits is kept. */
+  callOff(): void {
+    if (this.busy) this.end(new CalledOff("it was called off"));
+  }
+
+  /** Ends it. */
+  end(why: Error): void {
     this.worker?.terminate();
     this.worker = null;
     const waiting = [...this.waiting.values()];
@@ -53,7 +54,6 @@ export class Client {
     worker.addEventListener("message", (e: MessageEvent<Reply>) => this.hear(e.data));
     worker.postMessage({ module: this.module });
     this.worker = worker;
-    this.begun(this);
     return worker;
   }
 

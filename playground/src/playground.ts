@@ -43,6 +43,7 @@ export class Playground {
   private readonly page: Page;
   private readonly editor: Editor;
   private readonly room: Room;
+  private readonly app: App;
   private readonly quick: Client;
   private readonly slow: Client;
   private name = "room.scene";
@@ -83,9 +84,9 @@ export class Playground {
         if (range !== null) this.editor.select(...range);
       },
     });
-    const app = new App(this.page.viewer, this.room);
-    window.scenelang = app.hook;
-    this.room.start(app);
+    this.app = new App(this.page.viewer, this.room);
+    window.scenelang = this.app.hook;
+    this.room.start(this.app);
     window.playground = this.hook;
   }
 
@@ -141,7 +142,7 @@ export class Playground {
     this.began = performance.now();
     this.generation += 1;
     this.edited = true;
-    this.slow.end();
+    this.slow.callOff();
     void this.check();
   }
 
@@ -184,7 +185,7 @@ export class Playground {
   private failed(why: unknown): void {
     const { name } = this;
     this.page.tell(`This program cannot be checked: ${why instanceof Error ? why.message : String(why)}`, "bad");
-    this.quick.end();
+    this.quick.end(new Error("it cannot be checked"));
     void this.quick.ask({ method: "open", name, text: "", layout: null }).catch(() => {});
   }
 
@@ -194,7 +195,7 @@ export class Playground {
     if (this.layout === null) return;
     const data = await this.quick.ask<unknown>({ method: "room", known: this.room.known });
     if (data === null) this.room.stale("The program has changed; it is shown again when there is a layout");
-    else this.room.show(data);
+    else await this.app.hook.load(this.room.whole(data));
     this.hook.shown += 1;
   }
 
@@ -275,7 +276,7 @@ export class Playground {
   private stop(): void {
     clearTimeout(this.idle);
     this.idle = undefined;
-    this.slow.end();
+    this.slow.callOff();
     this.page.busy(false);
   }
 
@@ -304,7 +305,7 @@ export class Playground {
     const answer = await this.quick.ask<{ readonly layout?: string }>({ method: "move", object, pos, rot, commit });
     if (commit && answer.layout !== undefined) {
       this.layout = answer.layout;
-      this.slow.end();
+      this.slow.callOff();
       const shown = this.quick.ask<Marks>({ method: "layout", text: answer.layout }).then((marks) => this.show(marks));
       shown.catch((why: unknown) => this.failed(why));
     }

@@ -27,8 +27,9 @@ export class Room implements Source {
     return this.shapes.known;
   }
 
-  show(data: unknown): void {
-    this.sink?.load(this.shapes.whole(data));
+  /** A room with its geometry. */
+  whole(data: unknown): unknown {
+    return this.shapes.whole(data);
   }
 
   wait(why: string): void {
