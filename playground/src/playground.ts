@@ -51,6 +51,8 @@ export class Playground {
   /** Counts texts, so that what is said of an older one is not shown. */
   private generation = 0;
   private checking = false;
+  /** What is to be asked first, because another program was opened. */
+  private opening: (() => Promise<Marks>) | null = null;
   private edited = false;
   private marks: Marks | null = null;
   private proofs: readonly Mark[] = [];
@@ -135,7 +137,8 @@ export class Playground {
     this.room.wait("");
     this.edited = true;
     this.generation += 1;
-    await this.check(() => this.quick.ask<Marks>({ method: "open", name, text, layout: this.layout }));
+    this.opening = () => this.quick.ask<Marks>({ method: "open", name, text: this.editor.text, layout });
+    await this.check();
   }
 
   private changed(): void {
@@ -152,18 +155,17 @@ export class Playground {
   }
 
   /** Tells the module of the text, and shows what it says of it; once more if the text has changed by then. */
-  private async check(first?: () => Promise<Marks>): Promise<void> {
+  private async check(): Promise<void> {
     if (this.checking) return;
     this.checking = true;
     const timer = setTimeout(() => this.quick.end(new Error("it takes too long to be checked here")), PATIENCE);
-    let ask = first;
     try {
       while (this.edited) {
         this.edited = false;
         const { generation, began } = this;
-        const text = this.editor.text;
-        const marks = await (ask?.() ?? this.quick.ask<Marks>({ method: "edit", text }));
-        ask = undefined;
+        const ask = this.opening ?? (() => this.quick.ask<Marks>({ method: "edit", text: this.editor.text }));
+        this.opening = null;
+        const marks = await ask();
         if (generation !== this.generation) continue;
         await this.show(marks);
         if (began > 0 && generation === this.generation) {

@@ -69,8 +69,7 @@ pub fn moved(snapshot: &Snapshot, object: &str, pos: [f64; 3], rot: [f64; 3]) ->
     live.drag(ObjectId(index as u32), pos, rot);
     let file = snapshot.sources().get(layout.file);
     let answer = verdicts(&live, program, snapshot.sources(), file.name());
-    let local: Vec<Edit<TextRange>> =
-        edits.into_iter().map(|e| Edit { place: e.place.range, text: e.text }).collect();
+    let local: Vec<Edit<TextRange>> = edits.into_iter().map(|e| Edit { place: e.place.range, text: e.text }).collect();
     Ok((answer, fix::apply(file.text(), [local.as_slice()]).text))
 }
 
@@ -86,8 +85,7 @@ pub fn exported(open: &Open, format: Format) -> Result<Value, Refused> {
             let verdict = snapshot.explained().map_err(cancelled)?.ok_or(NO_LAYOUT)?;
             let name = snapshot.sources().get(layout.file).name();
             let options = &snapshot.judging().options;
-            let report =
-                report::build(name, &verdict, Some(&judged.compiled.program), snapshot.sources(), options);
+            let report = report::build(name, &verdict, Some(&judged.compiled.program), snapshot.sources(), options);
             let mut text = serde_json::to_string_pretty(&report).map_err(|e| e.to_string())?;
             text.push('\n');
             json!({ "name": "report.json", "text": text })

@@ -73,7 +73,8 @@ fn what_is_moved_is_judged_and_kept_only_if_that_is_wanted() {
     let layout = solved(&mut session, DESK);
     ask(&mut session, &json!({ "method": "layout", "text": layout })).unwrap();
     let mut moved = |commit: bool| {
-        let request = json!({ "method": "move", "object": "desk", "pos": [50, 0, 0], "rot": [0, 0, 0], "commit": commit });
+        let request =
+            json!({ "method": "move", "object": "desk", "pos": [50, 0, 0], "rot": [0, 0, 0], "commit": commit });
         ask(&mut session, &request).unwrap()
     };
     let judged = moved(false);

@@ -27,7 +27,8 @@ fn what_is_no_request_is_refused() {
 fn without_a_program_there_is_nothing_to_ask_about() {
     let mut session = Session::default();
     for method in ["room", "format", "proofs"] {
-        let why = ask(&mut session, &json!({ "method": method, "known": null })).map_or_else(|why| why, |v| v.to_string());
+        let why =
+            ask(&mut session, &json!({ "method": method, "known": null })).map_or_else(|why| why, |v| v.to_string());
         assert!(why.contains("no program is open") || why.contains("no request"), "{method}: {why}");
     }
 }
