@@ -2,7 +2,7 @@
 // its way.
 
 import { parseData, readData, rowObjects, type SceneData, type Triple } from "./data.js";
-import { el } from "./dom.js";
+import { el, typing } from "./dom.js";
 import { gapsOf } from "./gaps.js";
 import type { Ghost } from "./ghosts.js";
 import { verdict } from "./list.js";
@@ -270,7 +270,7 @@ export class App implements Sink {
   private push(e: KeyboardEvent): void {
     const { view, moves } = this;
     const { object } = this.selection;
-    if (view === null || moves === null || object === null || e.target instanceof HTMLInputElement || e.ctrlKey || e.metaKey) return;
+    if (view === null || moves === null || object === null || typing(e) || e.ctrlKey || e.metaKey) return;
     const { right, away } = view.axes();
     const by = (axis: Triple, metres: number): Triple => [axis[0] * metres, 0, axis[2] * metres];
     const pushes: Record<string, Triple> = { ArrowRight: by(right, 0.05), ArrowLeft: by(right, -0.05), ArrowUp: by(away, 0.05), ArrowDown: by(away, -0.05) };
@@ -288,6 +288,8 @@ export class App implements Sink {
   }
 
   private key(e: KeyboardEvent): void {
+    // An editor beside the room has keys of its own; in our own field only Escape is ours.
+    if (typing(e) && (e.key !== "Escape" || !this.root.contains(e.target as Node))) return;
     if (e.key === "Escape") {
       if (this.view?.callOff() === true) return;
       if (this.selection.row !== null) this.setSelection({ ...this.selection, row: null });
@@ -295,7 +297,7 @@ export class App implements Sink {
       else this.panel.clearFilter();
       return;
     }
-    if (e.target instanceof HTMLInputElement || e.altKey) return;
+    if (e.altKey) return;
     const { view } = this;
     const actions: Record<string, () => void> =
       e.ctrlKey || e.metaKey

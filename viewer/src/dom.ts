@@ -13,6 +13,12 @@ export function el<K extends keyof HTMLElementTagNameMap>(tag: K | `${K}.${strin
   return element;
 }
 
+/** Whether a key is typed into something, and is no command. */
+export function typing(e: KeyboardEvent): boolean {
+  const { target } = e;
+  return target instanceof HTMLElement && (target.isContentEditable || target.matches("input, textarea, select"));
+}
+
 /** A 16 × 16 icon drawn by strokes. */
 export function icon(path: string): SVGSVGElement {
   const space = "http://www.w3.org/2000/svg";

@@ -14,15 +14,12 @@ use scenelang_export::{Exporter, Loss, losses, unity};
 use scenelang_lang::Compiled;
 use scenelang_synth::rebuild::{Inputs, Planned, sum};
 use scenelang_synth::{
-    Failure, Furnishings, Hold, Observer, Request, Solved, Stage, furniture_file, own_files, program_files,
+    Failure, Furnishings, Hold, Observer, PLANNED, Request, Solved, Stage, furniture_file, own_files, program_files,
 };
 use scenelang_verify::exit_code;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-
-/// The part of the work for preferences that is done where the furniture has its places already.
-pub const PLANNED: u8 = 20;
 
 /// Builds the scene; 0 if all hard constraints hold.
 pub fn run(args: &Synth) -> u8 {

@@ -17,6 +17,7 @@
 
 mod batch;
 pub mod candidate;
+mod clock;
 mod explain;
 mod file;
 pub mod frame;
@@ -33,6 +34,7 @@ mod state;
 pub mod trial;
 
 pub use batch::Batch;
+pub use clock::Instant;
 pub use explain::{check, moves_for};
 pub use file::{
     check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,

@@ -1,8 +1,9 @@
 //! When a search has to end, however much work it still may do: at a time, or as soon as somebody says so.
 
+use crate::clock::Instant;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A request to stop. Clones are the same request: set one, and all who hold another see it.
 #[derive(Clone, Debug, Default)]

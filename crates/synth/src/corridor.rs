@@ -7,7 +7,7 @@ use crate::hold::Hold;
 use crate::rebuild::{Before, How, Inputs, Looks, layout_inputs, prefers_otherwise};
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, codes};
 use scenelang_catalogue::Chain;
-use scenelang_engine::{check_layout_of, check_program};
+use scenelang_engine::{Instant, check_layout_of, check_program};
 use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;
 use scenelang_lang::{Compiled, Program, compile_with};
@@ -20,7 +20,10 @@ use scenelang_solve::{
 use scenelang_verify::{Checked, Explain};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+/// The part of the work for preferences that is done where the furniture has its places already, for [`Request::share`].
+pub const PLANNED: u8 = 20;
 
 /// What to lay out.
 #[derive(Clone, Copy)]

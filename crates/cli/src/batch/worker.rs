@@ -107,7 +107,7 @@ fn make(task: &Task) -> Result<usize, Trouble> {
         start =
             understood.layout.filter(|_| job.seed == 0).map(|layout| scenelang_layout::file::to_json(&layout, None));
         if start.is_some() {
-            quality = quality.div_ceil(crate::synth::PLANNED);
+            quality = quality.div_ceil(scenelang_synth::PLANNED);
         }
     } else if let Some(source) = &job.source {
         replace::program(&scene, source).map_err(files)?;

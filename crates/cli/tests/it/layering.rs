@@ -27,6 +27,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("cli", &["lsp", "eval", "sample", "catalogue", "foreign"]),
     ("grammars", &["lang"]),
     ("python", &["analysis", "sample"]),
+    ("playground", &["ide", "synth"]),
 ];
 
 /// Whatever is reachable in the table.

@@ -10,12 +10,14 @@ use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::Vec3;
 use scenelang_layout::file::decode;
 use serde_json::Value;
+#[cfg(not(target_family = "wasm"))]
 use std::io::{Cursor, Read};
 use std::path::Path;
 
 /// Prims that are deeper than this are not looked at.
 const DEEPEST: usize = 64;
 /// A layer in a package is no larger (bytes).
+#[cfg(not(target_family = "wasm"))]
 const MOST: u64 = 64 << 20;
 /// What a prim can be that one sees.
 const SEEN: [&str; 7] = ["Xform", "Mesh", "Cube", "Sphere", "Cylinder", "Cone", "Capsule"];
@@ -57,6 +59,13 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
 }
 
 /// The first file of a package, which is its layer.
+#[cfg(target_family = "wasm")]
+fn unpacked(name: &str, _: &[u8]) -> Result<Vec<u8>, Box<Diagnostic>> {
+    Err(nothing(format!("{name} is a package, which is not read in a browser")))
+}
+
+/// The first file of a package, which is its layer.
+#[cfg(not(target_family = "wasm"))]
 fn unpacked(name: &str, bytes: &[u8]) -> Result<Vec<u8>, Box<Diagnostic>> {
     let broken = |e: &dyn std::fmt::Display| nothing(format!("{name} is not a USD package: {e}"));
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| broken(&e))?;

@@ -1,9 +1,10 @@
-//! The plan: the room from straight above, as SVG, and the same as PNG.
+//! The plan: the room from straight above, as SVG, and the same as PNG (not in a browser, which draws it itself).
 
 mod canvas;
 mod dimensions;
 mod furniture;
 mod labels;
+#[cfg(not(target_family = "wasm"))]
 mod png;
 mod svg;
 
@@ -21,7 +22,10 @@ impl Exporter for Plan {
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         let drawing = svg(scene);
-        let picture = png::png(&drawing)?;
-        Ok(vec![OutFile::new("plan.svg", drawing), OutFile::new("plan.png", picture)])
+        #[cfg(not(target_family = "wasm"))]
+        let picture = Some(OutFile::new("plan.png", png::png(&drawing)?));
+        #[cfg(target_family = "wasm")]
+        let picture = None;
+        Ok([OutFile::new("plan.svg", drawing)].into_iter().chain(picture).collect())
     }
 }

@@ -7,7 +7,17 @@
 
 mod joints;
 mod looks;
+#[cfg(not(target_family = "wasm"))]
 mod package;
+#[cfg(target_family = "wasm")]
+mod package {
+    //! No packages: see the manifest.
+
+    /// Why there is none.
+    pub(super) fn of(_: &[(String, Vec<u8>)]) -> Result<Vec<u8>, crate::ExportError> {
+        Err(crate::ExportError::Format("usdz", "packages are not written in a browser".to_owned()))
+    }
+}
 mod shapes;
 mod text;
 

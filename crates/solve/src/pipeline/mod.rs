@@ -21,11 +21,12 @@ use crate::search::{Best, Search};
 use portfolio::Member;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
+use scenelang_engine::Instant;
 use scenelang_engine::candidate::Candidate;
 use scenelang_engine::limit::Limit;
 use scenelang_lang::program::{ObjectId, RegionId};
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What is said where the time limit has ended something.
 const TIME_IS_OVER: &str = "the time limit was reached; the result depends on the speed of the machine";

@@ -1,0 +1,105 @@
+//! The program that is open, and who answers what.
+
+use crate::answers;
+use crate::files::{Alone, layout_name};
+use crate::make;
+use crate::request::Request;
+use crate::room;
+use scenelang_ide::{Cancelled, Host};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// A program under edit. Requests and answers are JSON.
+#[derive(Default)]
+pub struct Session {
+    open: Option<Open>,
+}
+
+/// The open program.
+pub(crate) struct Open {
+    pub(crate) host: Host,
+    pub(crate) name: String,
+}
+
+/// Why a request has no answer.
+pub(crate) type Refused = String;
+
+impl Session {
+    /// Answers a request: `{"ok": …}` or `{"error": "…"}`.
+    pub fn call(&mut self, request: &[u8]) -> Vec<u8> {
+        let answer = match serde_json::from_slice(request) {
+            Ok(request) => self.answer(request),
+            Err(why) => Err(format!("this is no request: {why}")),
+        };
+        let answer = match answer {
+            // The macro would copy it, and a room is large.
+            Ok(mut value) => {
+                let mut out = json!({ "ok": null });
+                std::mem::swap(&mut out["ok"], &mut value);
+                out
+            }
+            Err(why) => json!({ "error": why }),
+        };
+        answer.to_string().into_bytes()
+    }
+
+    fn answer(&mut self, request: Request) -> Result<Value, Refused> {
+        match request {
+            Request::Open { name, text, layout } => {
+                let mut host = Host::new(&name, Path::new(&name), &text, &Alone { name: &name, text: &text });
+                put_layout(&mut host, &name, layout);
+                self.open = Some(Open { host, name });
+                answers::marks(self.open()?)
+            }
+            Request::Edit { text } => {
+                let Open { host, name } = self.open_mut()?;
+                host.set_text(&text, &Alone { name, text: &text });
+                answers::marks(self.open()?)
+            }
+            Request::Layout { text } => {
+                let Open { host, name } = self.open_mut()?;
+                put_layout(host, name, text);
+                answers::marks(self.open()?)
+            }
+            Request::Room { known } => room::shown(self.open()?, known.as_deref()),
+            Request::Complete { at, asked } => answers::completion(self.open()?, at, asked),
+            Request::Describe { about } => Ok(scenelang_ide::completion::describe(&about).into()),
+            Request::Hover { at } => answers::hover(self.open()?, at),
+            Request::Format => answers::formatted(self.open()?),
+            Request::Move { object, pos, rot, commit } => {
+                let (mut answer, text) = room::moved(&self.open()?.host.snapshot(), &object, pos, rot)?;
+                if commit {
+                    answer["layout"] = text.into();
+                }
+                Ok(answer)
+            }
+            Request::Proofs => answers::proofs(self.open()?),
+            Request::Export { format } => room::exported(self.open()?, format),
+            Request::Solve { name, text, start, seed } => make::solve(&name, &text, start.as_deref(), seed),
+            Request::Write { text } => make::write_room(&text),
+            Request::Version => Ok(json!({ "version": env!("CARGO_PKG_VERSION") })),
+        }
+    }
+
+    fn open(&self) -> Result<&Open, Refused> {
+        self.open.as_ref().ok_or_else(none)
+    }
+
+    fn open_mut(&mut self) -> Result<&mut Open, Refused> {
+        self.open.as_mut().ok_or_else(none)
+    }
+}
+
+fn none() -> Refused {
+    "no program is open".to_owned()
+}
+
+/// There is one thread, and nobody who changes a text while a question about it is answered.
+pub(crate) fn cancelled(_: Cancelled) -> Refused {
+    "the text has changed".to_owned()
+}
+
+fn put_layout(host: &mut Host, name: &str, text: Option<String>) {
+    let called = layout_name(name);
+    host.set_layout(text.map(|text| (called.clone(), Path::new(&called), Ok(text.into_bytes()))));
+}

@@ -1,0 +1,34 @@
+// The playground: the module is fetched, then nothing more is; the program that the link or an example has is opened.
+
+import { el } from "../../viewer/src/dom.js";
+import { Playground } from "./playground.js";
+import viewerStyle from "../../viewer/src/style.css";
+import style from "./style.css";
+
+async function start(root: HTMLElement): Promise<void> {
+  for (const css of [viewerStyle, style]) {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(css);
+    document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+  }
+  const module = await fetchModule();
+  // From here on neither the page nor its workers can ask anybody for anything; the viewer reads textures from blobs.
+  document.head.append(el("meta", { "http-equiv": "Content-Security-Policy", content: "connect-src blob:" }));
+  const playground = new Playground(root, module);
+  await playground.begin();
+}
+
+/** The module is packed, so that it is small whatever server the folder is on. */
+async function fetchModule(): Promise<WebAssembly.Module> {
+  const answer = await fetch("engine.bin");
+  if (!answer.ok || answer.body === null) throw new Error(`engine.bin: ${answer.status} ${answer.statusText}`);
+  const unpacked = answer.body.pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compileStreaming(new Response(unpacked, { headers: { "content-type": "application/wasm" } }));
+}
+
+const root = document.getElementById("playground");
+if (root !== null) {
+  start(root).catch((why: unknown) => {
+    root.replaceChildren(el("p.failed", { role: "alert" }, `The playground could not start: ${why instanceof Error ? why.message : String(why)}`));
+  });
+}
