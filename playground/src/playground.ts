@@ -59,7 +59,10 @@ export class Playground {
   private idle: ReturnType<typeof setTimeout> | undefined;
   private began = 0;
 
-  constructor(root: HTMLElement, module: WebAssembly.Module) {
+  constructor(
+    root: HTMLElement,
+    private readonly module: Promise<WebAssembly.Module>,
+  ) {
     this.quick = new Client(module);
     this.slow = new Client(module);
     this.page = new Page(root, examples.map(({ name }) => name), {
@@ -158,6 +161,8 @@ export class Playground {
   private async check(): Promise<void> {
     if (this.checking) return;
     this.checking = true;
+    // How long that takes is up to the network.
+    await this.module;
     const timer = setTimeout(() => this.quick.end(new Error("it takes too long to be checked here")), PATIENCE);
     try {
       while (this.edited) {

@@ -158,7 +158,7 @@ check("solving in the page gives the layout that came with the example", async (
 check("a mistake is marked while it is typed, and help comes with it", async (page) => {
   await open(page);
   await rest(page);
-  await page.evaluate(() => window.playground.replace(0, 0, "object lamp;\nassert near(lamp, tabel, 1);\n"));
+  await page.evaluate(() => window.playground.replace(0, 0, "object stool;\nassert near(stool, tabel, 1);\n"));
   await page.waitForFunction(() => document.querySelector("#problems li.error") !== null, PATIENCE);
   assert.match(await page.$eval("#problems li.error", (e) => e.textContent), /tabel.*line 2/s);
   await page.waitForSelector(".cm-lintRange-error", PATIENCE);
@@ -174,9 +174,9 @@ check("a mistake is marked while it is typed, and help comes with it", async (pa
   await shoot(page, "completion");
   await page.keyboard.press("Enter");
   await rest(page);
-  assert.match(await page.evaluate(() => window.playground.text()), /near\(lamp, table, 1\)/);
-  // The lamp has got a place, since it is looked for as one types.
-  assert.match(await page.evaluate(() => window.playground.layout()), /"lamp"/);
+  assert.match(await page.evaluate(() => window.playground.text()), /near\(stool, table, 1\)/);
+  // The stool has got a place, since it is looked for as one types.
+  assert.match(await page.evaluate(() => window.playground.layout()), /"stool"/);
   assert.equal((await status(page))[1], "good");
   const word = await page.evaluateHandle(() => [...document.querySelectorAll(".cm-content .tok-function")].find((e) => e.textContent === "near"));
   await word.hover();
