@@ -17,18 +17,21 @@ export class Client {
   private readonly waiting = new Map<number, { done(answer: unknown): void; failed(why: Error): void }>();
   private last = 0;
 
-  constructor(private readonly module: WebAssembly.Module) {}
+  /** No worker starts before the module is there: by then the page has the policy that a worker is to have. */
+  constructor(private readonly module: Promise<WebAssembly.Module>) {}
 
   get busy(): boolean {
     return this.waiting.size > 0;
   }
 
   ask<T>(request: { readonly method: string; readonly [parameter: string]: unknown }): Promise<T> {
-    const worker = this.worker ?? this.begin();
     return new Promise((done, failed) => {
       const id = ++this.last;
       this.waiting.set(id, { done: (answer) => done(answer as T), failed });
-      worker.postMessage({ id, request });
+      this.module.then((module) => {
+        // It may have been called off since.
+        if (this.waiting.has(id)) (this.worker ?? this.begin(module)).postMessage({ id, request });
+      }, failed);
     });
   }
 
@@ -46,13 +49,13 @@ export class Client {
     for (const { failed } of waiting) failed(why);
   }
 
-  private begin(): Worker {
+  private begin(module: WebAssembly.Module): Worker {
     // From a blob a worker has the policy of the page, by which it cannot reach anything.
     const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
     const worker = new Worker(address);
     URL.revokeObjectURL(address);
     worker.addEventListener("message", (e: MessageEvent<Reply>) => this.hear(e.data));
-    worker.postMessage({ module: this.module });
+    worker.postMessage({ module });
     this.worker = worker;
     return worker;
   }

@@ -11,11 +11,11 @@ async function start(root: HTMLElement): Promise<void> {
     sheet.replaceSync(css);
     document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
   }
-  const module = await fetchModule();
-  // From here on neither the page nor its workers can ask anybody for anything; the viewer reads textures from blobs.
-  document.head.append(el("meta", { "http-equiv": "Content-Security-Policy", content: "connect-src blob:" }));
-  const playground = new Playground(root, module);
-  await playground.begin();
+  const module = fetchModule();
+  // The text is there to be read before the module is.
+  const begun = new Playground(root, module).begin();
+  await module;
+  await begun;
 }
 
 /** The module is packed, so that it is small whatever server the folder is on. */
@@ -23,7 +23,10 @@ async function fetchModule(): Promise<WebAssembly.Module> {
   const answer = await fetch("engine.bin");
   if (!answer.ok || answer.body === null) throw new Error(`engine.bin: ${answer.status} ${answer.statusText}`);
   const unpacked = answer.body.pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compileStreaming(new Response(unpacked, { headers: { "content-type": "application/wasm" } }));
+  const module = await WebAssembly.compileStreaming(new Response(unpacked, { headers: { "content-type": "application/wasm" } }));
+  // From here on neither the page nor its workers can ask anybody for anything; the viewer reads textures from blobs.
+  document.head.append(el("meta", { "http-equiv": "Content-Security-Policy", content: "connect-src blob:" }));
+  return module;
 }
 
 const root = document.getElementById("playground");

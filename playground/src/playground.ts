@@ -58,8 +58,15 @@ export class Playground {
   private proofs: readonly Mark[] = [];
   private idle: ReturnType<typeof setTimeout> | undefined;
   private began = 0;
+  /** How much that takes long is under way. */
+  private tasks = 0;
+  /** Counts searches for a layout. */
+  private searches = 0;
 
-  constructor(root: HTMLElement, module: WebAssembly.Module) {
+  constructor(
+    root: HTMLElement,
+    private readonly module: Promise<WebAssembly.Module>,
+  ) {
     this.quick = new Client(module);
     this.slow = new Client(module);
     this.page = new Page(root, examples.map(({ name }) => name), {
@@ -95,7 +102,7 @@ export class Playground {
   readonly hook: Hooked = {
     latencies: [],
     shown: 0,
-    idle: () => !this.checking && !this.edited && !this.slow.busy && this.idle === undefined,
+    idle: () => !this.checking && !this.edited && this.tasks === 0 && this.idle === undefined,
     text: () => this.editor.text,
     layout: () => this.layout,
     open: (name, text, layout) => this.open(name, text, layout),
@@ -158,6 +165,8 @@ export class Playground {
   private async check(): Promise<void> {
     if (this.checking) return;
     this.checking = true;
+    // How long that takes is up to the network.
+    await this.module;
     const timer = setTimeout(() => this.quick.end(new Error("it takes too long to be checked here")), PATIENCE);
     try {
       while (this.edited) {
@@ -232,6 +241,7 @@ export class Playground {
 
   private async prove(): Promise<void> {
     const { generation, name } = this;
+    this.tasks += 1;
     try {
       await this.slow.ask({ method: "open", name, text: this.editor.text, layout: null });
       const proofs = await this.slow.ask<Mark[]>({ method: "proofs" });
@@ -240,6 +250,8 @@ export class Playground {
       this.present();
     } catch {
       // Called off, or too much: then nothing is proved.
+    } finally {
+      this.tasks -= 1;
     }
   }
 
@@ -247,6 +259,8 @@ export class Playground {
   private async solve(start: string | null): Promise<void> {
     this.stop();
     const { generation, name } = this;
+    const search = ++this.searches;
+    this.tasks += 1;
     this.page.busy(true);
     this.page.tell("looking for a layout …", "busy");
     try {
@@ -257,7 +271,9 @@ export class Playground {
       if (!(why instanceof CalledOff)) this.page.say("No layout was found", why instanceof Error ? why.message : String(why));
       this.present();
     } finally {
-      if (!this.slow.busy) this.page.busy(false);
+      this.tasks -= 1;
+      // Another search may have begun in place of this one.
+      if (search === this.searches) this.page.busy(false);
     }
   }
 
@@ -284,6 +300,7 @@ export class Playground {
 
   private async describe(request: string): Promise<void> {
     this.stop();
+    this.tasks += 1;
     this.page.busy(true);
     this.page.tell("reading …", "busy");
     try {
@@ -299,6 +316,8 @@ export class Playground {
       this.page.busy(false);
       this.present();
       if (!(why instanceof CalledOff)) this.page.say("This request cannot be read", why instanceof Error ? why.message : String(why));
+    } finally {
+      this.tasks -= 1;
     }
   }
 
