@@ -221,12 +221,12 @@ impl<'a> Sampler<'a> {
     /// Whether things have the sizes and parts with the draws of a seed that they have where chains begin.
     fn has_usual_shapes(&self, seed: u64) -> bool {
         let Some(shared) = &self.shared else { return false };
-        let alike = |(a, b): (&Placement, &Placement)| {
+        let alike = |a: &Placement, b: &Placement| {
             a.scale == b.scale && a.parts == b.parts && a.surface == b.surface && a.joints == b.joints
         };
         self.program.draws.is_empty()
             || std::iter::zip(&shared.start.objects, &self.problem(seed).start.objects)
-                .all(|((_, a), (_, b))| alike((a, b)))
+                .all(|((_, a), (_, b))| alike(a, b))
     }
 
     /// Drawn as a whole, where that is possible before anything was solved.

@@ -97,6 +97,7 @@
     "normalize"
     "on"
     "onFloor"
+    "oneOf"
     "opening"
     "opens"
     "oppositeWays"

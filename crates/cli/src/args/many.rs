@@ -14,7 +14,7 @@ pub struct Sample {
     /// The number of layouts
     #[arg(short = 'n', long = "number", value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     pub number: u64,
-    /// The random seed; each layout has its own draws of `rand`
+    /// The random seed; each layout has its own draws of `rand` and `oneOf`
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..1 << 53))]
     pub seed: u64,
     /// Make only part I of N, counted from 0; all parts together are the same as one run

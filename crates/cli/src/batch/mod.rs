@@ -215,6 +215,7 @@ fn worked(args: &BatchRun, program: &Path, line: &Line, job: &Job) -> Option<Tro
         key: line.key.clone(),
         manifest: args.manifest.clone(),
         folder: args.output.clone(),
+        parent: std::process::id(),
         time: args.time,
         memory: args.memory << 20,
     };

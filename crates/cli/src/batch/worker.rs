@@ -30,6 +30,8 @@ pub struct Task {
     pub manifest: PathBuf,
     /// The folder to write to.
     pub folder: PathBuf,
+    /// The process that started it.
+    pub parent: u32,
     /// How long it may take (seconds): whoever started it ends it then, and where that one is gone, it ends itself.
     pub time: f64,
     /// The most memory (bytes), where the system can enforce it.
@@ -57,7 +59,8 @@ pub fn run() -> u8 {
         }
         Err(trouble) => Record::bad(&task.name, &task.key, Some(trouble)),
     };
-    if interrupt::asked() {
+    // Where whoever started it is gone, the next command may be at work on the same line, and finishes it once.
+    if interrupt::asked() || is_orphan(task.parent) {
         return crate::INTERRUPTED;
     }
     match record.write(&task.folder) {
@@ -67,6 +70,17 @@ pub fn run() -> u8 {
             FAILED
         }
     }
+}
+
+/// Whether the process that started this one has ended.
+#[cfg(unix)]
+fn is_orphan(parent: u32) -> bool {
+    rustix::process::getppid().is_none_or(|pid| u32::try_from(pid.as_raw_nonzero().get()) != Ok(parent))
+}
+
+#[cfg(not(unix))]
+fn is_orphan(_parent: u32) -> bool {
+    false
 }
 
 /// Bounds the address space of this process.

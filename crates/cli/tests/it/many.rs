@@ -192,6 +192,16 @@ fn an_end_at_any_moment_loses_and_repeats_nothing() {
     let folder = folder.path();
     manifest(folder);
     batch(folder, &["-o", "whole"]);
+    // When each result was written: none is written again.
+    let written = || -> BTreeMap<String, std::time::SystemTime> {
+        let Ok(files) = fs::read_dir(folder.join("killed")) else { return BTreeMap::new() };
+        let files =
+            files.map(|file| file.unwrap()).filter(|f| f.file_name().to_string_lossy().ends_with(".result.json"));
+        files.map(|f| (f.file_name().into_string().unwrap(), f.metadata().unwrap().modified().unwrap())).collect()
+    };
+    let mut before = BTreeMap::new();
+    let unchanged =
+        |before: &BTreeMap<_, _>, now: &BTreeMap<String, _>| before.iter().all(|(n, at)| now.get(n) == Some(at));
     for moment in [20, 90, 160, 60, 240] {
         let mut command = binary();
         command.args(["batch", "jobs.jsonl", "--jobs", "2", "-o", "killed"]).current_dir(folder);
@@ -199,10 +209,15 @@ fn an_end_at_any_moment_loses_and_repeats_nothing() {
         sleep(Duration::from_millis(moment));
         child.kill().unwrap();
         child.wait().unwrap();
+        let now = written();
+        assert!(unchanged(&before, &now), "{before:?} {now:?}");
+        before = now;
     }
-    // What a process was at work on when its parent was killed, it writes.
+    // What was not finished when the command was killed, the next one does.
     let ended = batch(folder, &["-o", "killed"]);
     assert_eq!(ended.code, 1, "{ended:?}");
+    let now = written();
+    assert!(unchanged(&before, &now), "{before:?} {now:?}");
     let whole = results(&folder.join("whole"));
     let killed = results(&folder.join("killed"));
     assert_eq!(killed.keys().collect::<Vec<_>>(), whole.keys().collect::<Vec<_>>());
