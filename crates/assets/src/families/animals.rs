@@ -183,11 +183,16 @@ fn marks(
         let spot = of(Finish::Fabric, 0x8a5226);
         for k in 0..14 {
             let (t, side) = (f64::from(k / 2) / 6.0, if k % 2 == 0 { 1.0 } else { -1.0 });
-            let z = -0.7 * long + 1.4 * long * t;
-            let x = 0.72 * thick * (1.0 - (z / long).powi(2)).sqrt();
-            pearl(mesh, block(-0.05..0.05, -0.08..0.08, -0.07..0.07).moved(side * x, legs + 1.2 * thick, z), &spot);
+            let (z, up) = (-0.7 * long + 1.4 * long * t, [-0.4, 0.5, 0.05][k as usize / 2 % 3]);
+            let x = 0.8 * thick * (1.0 - (z / long).powi(2) - up * up).max(0.0).sqrt();
+            pearl(
+                mesh,
+                block(-0.05..0.05, -0.08..0.08, -0.07..0.07).moved(side * x, legs + thick * (1.0 + up), z),
+                &spot,
+            );
             let on = root + (top - root) * (0.15 + 0.7 * t);
-            pearl(mesh, block(-0.04..0.04, -0.06..0.06, -0.05..0.05).moved(side * (0.1 - 0.03 * t), on.y, on.z), &spot);
+            let x = 0.5 * thick * (1.0 - t) + 0.7 * head * t;
+            pearl(mesh, block(-0.04..0.04, -0.06..0.06, -0.05..0.05).moved(side * x, on.y, on.z), &spot);
         }
         for side in [-1.0, 1.0] {
             mesh.rod(at(side * 0.06, top.y + 0.1, top.z), at(side * 0.08, top.y + 0.3, top.z - 0.02), 0.025, &spot);

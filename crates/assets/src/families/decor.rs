@@ -264,7 +264,15 @@ const BOTTLES: &[Stuff] = &[
 pub(super) fn bottle(a: &Ask) -> Model {
     let mut m = Model::default();
     // Bottles on a shelf are not all alike.
-    let main = a.main(*a.dice().pick(BOTTLES));
+    let usual = match () {
+        () if a.says(&["ketchup"]) => Stuff(Finish::Plastic, 0xb8281f),
+        () if a.says(&["mustard"]) => Stuff(Finish::Plastic, 0xdfb12c),
+        () if a.says(&["detergent"]) => Stuff(Finish::Plastic, 0x3f78b5),
+        () if a.says(&["lotion", "glue"]) => Stuff(Finish::Plastic, 0xd9cdbf),
+        () if a.says(&["olive"]) => Stuff(Finish::Glass, 0x8a8a2f),
+        () => *a.dice().pick(BOTTLES),
+    };
+    let main = a.main(usual);
     let b = a.whole();
     m.solid_drum(b);
     m.mesh.lathe(

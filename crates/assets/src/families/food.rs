@@ -425,13 +425,7 @@ pub(super) fn utensil(a: &Ask) -> Model {
             cone(mesh, at(0.0, 0.0, -1.0), at(0.0, 0.0, -0.25), [0.08, 0.07], &steel);
             for k in 0..4 {
                 mesh.place(at(0.0, 0.0, 0.0), [0.0, 0.0, 45.0 * f64::from(k)], |mesh| {
-                    let point = |t: f64| {
-                        at(
-                            0.3 * (std::f64::consts::PI * t).sin() * if t < 0.5 { 1.0 } else { 1.0 },
-                            0.0,
-                            -0.28 + 1.28 * t,
-                        )
-                    };
+                    let point = |t: f64| at(0.3 * (std::f64::consts::PI * t).sin(), 0.0, -0.28 + 1.28 * t);
                     for side in [-1.0, 1.0] {
                         let wire: Vec<_> = (0..=8)
                             .map(|i| point(f64::from(i) / 8.0))

@@ -286,12 +286,15 @@ pub(super) fn pipe(a: &Ask) -> Model {
     })
 }
 
-/// A carriage of trains and things on wheels that children push: a locomotive, a lorry.
+/// A locomotive; a lorry to push; a small train on a ring of rails.
 pub(super) fn train(a: &Ask) -> Model {
     let truck = a.says(&["truck", "lorry"]);
     let body = a.main(if truck { Stuff(Finish::Paint, 0xe0a52f) } else { Stuff(Finish::Paint, 0xb5332c) });
     let dark = stuff::DARK_PLASTIC.surface();
     let glass = of(Finish::Screen, 0x2b3844);
+    if a.says(&["set"]) {
+        return train_set(a, &body, &dark);
+    }
     headed(a, |mesh| {
         let wheels = |mesh: &mut Mesh, r: f64, places: &[f64]| {
             for z in places {
@@ -337,5 +340,31 @@ pub(super) fn train(a: &Ask) -> Model {
         mesh.ball(block(-0.09..0.09, 0.58..0.76, 0.2..0.38), &stuff::BRASS.surface());
         mesh.disc(2, block(-0.06..0.06, 0.6..0.72, 0.9..0.96), &of(Finish::Glow, 0xfff4d6));
         mesh.extrude(0, &[(0.06, 0.94), (0.24, 0.9), (0.06, 1.08)], -0.24..0.24, &dark);
+    })
+}
+
+/// Rails on sleepers, an engine and two wagons.
+fn train_set(a: &Ask, body: &Surface, dark: &Surface) -> Model {
+    let wood = stuff::OAK.surface();
+    small(a, |mesh| {
+        for k in 0..20 {
+            mesh.place(at(0.0, 0.0, 0.0), [0.0, 18.0 * f64::from(k), 0.0], |mesh| {
+                mesh.crisp(block(0.7..1.0, 0.0..0.04, -0.05..0.05), &wood);
+            });
+        }
+        for r in [0.78, 0.94] {
+            mesh.torus(block(-r..r, 0.03..0.07, -r..r), 0.03, &stuff::STEEL.surface());
+        }
+        for (turn, high) in [(0.0, 0.3), (30.0, 0.2), (60.0, 0.2)] {
+            mesh.place(at(0.0, 0.0, 0.0), [0.0, turn, 0.0], |mesh| {
+                mesh.rounded(block(0.77..0.95, 0.1..0.08 + high, -0.18..0.18), 0.03, 1, body);
+                for x in [0.76..0.79, 0.93..0.96] {
+                    for z in [-0.1, 0.1] {
+                        mesh.disc(0, block(x.clone(), 0.06..0.16, z - 0.05..z + 0.05), dark);
+                    }
+                }
+            });
+        }
+        mesh.rod(at(0.86, 0.36, -0.1), at(0.86, 0.46, -0.1), 0.03, dark);
     })
 }

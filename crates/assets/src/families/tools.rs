@@ -1,6 +1,6 @@
 //! Tools: for the hand, with long handles, brushes, a vise, an anvil.
 
-use super::strokes::{at, blade, cone, long, of, small};
+use super::strokes::{at, blade, cone, headed, long, of, small};
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
@@ -12,6 +12,9 @@ pub(super) fn tool(a: &Ask) -> Model {
     let grip = a.main(Stuff(Finish::Plastic, 0xc63b2c));
     let wood = a.main(Stuff(Finish::Wood, 0xa8703c));
     let steel = of(Finish::Metal, 0x8f969c);
+    if a.says(&["soldering"]) {
+        return soldering_iron(a, &grip, &steel);
+    }
     long(a, |mesh| {
         if a.says(&["hammer", "mallet"]) {
             hammer(mesh, &wood, &steel);
@@ -56,14 +59,28 @@ pub(super) fn tool(a: &Ask) -> Model {
                     &steel,
                 );
             }
-        } else if a.says(&["soldering"]) {
-            cone(mesh, at(0.0, 0.0, -1.0), at(0.0, 0.0, 0.2), [0.2, 0.15], &grip);
-            cone(mesh, at(0.0, 0.0, 0.18), at(0.0, 0.0, 0.26), [0.24, 0.24], &stuff::DARK_PLASTIC.surface());
-            cone(mesh, at(0.0, 0.0, 0.25), at(0.0, 0.0, 0.8), [0.08, 0.08], &steel);
-            cone(mesh, at(0.0, 0.0, 0.8), at(0.0, 0.0, 1.0), [0.05, 0.008], &steel);
         } else {
             spanner(mesh, &a.main(Stuff(Finish::Metal, 0x8f969c)));
         }
+    })
+}
+
+/// In its stand, the tip in a coil.
+fn soldering_iron(a: &Ask, grip: &Surface, steel: &Surface) -> Model {
+    headed(a, |mesh| {
+        mesh.rounded(block(-0.5..0.5, 0.0..0.14, -0.7..0.9), 0.04, 1, &stuff::DARK_PLASTIC.surface());
+        mesh.rounded(block(-0.3..0.3, 0.14..0.24, 0.4..0.8), 0.04, 1, &of(Finish::Rubber, 0xd9b33a));
+        let way = at(0.0, 0.55, -0.84);
+        let tip = at(0.0, 0.35, 0.2);
+        for k in 0..5 {
+            let near = tip + way * (0.14 * f64::from(k));
+            let r = 0.13 + 0.025 * f64::from(k);
+            mesh.place(near, [-57.0, 0.0, 0.0], |mesh| mesh.torus(block(-r..r, -0.03..0.03, -r..r), 0.2, steel));
+        }
+        mesh.rod(at(0.0, 0.1, -0.3), tip + way * 0.5, 0.04, steel);
+        cone(mesh, tip, tip + way * 0.7, [0.03, 0.07], steel);
+        cone(mesh, tip + way * 0.7, tip + way * 0.8, [0.17, 0.17], &stuff::DARK_PLASTIC.surface());
+        cone(mesh, tip + way * 0.78, tip + way * 1.7, [0.1, 0.14], grip);
     })
 }
 

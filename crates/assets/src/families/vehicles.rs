@@ -41,8 +41,11 @@ pub(super) fn car(a: &Ask) -> Model {
     let out = 0.004 * a.d;
     m.solid(block(-x..x, sill..belt, -z..z));
     m.mesh.rounded(block(-x..x, sill..belt, -z + out..z - out), 0.3 * r, 3, &paint);
-    let (back, front) = if van { (-0.98 * z, 0.72 * z) } else { (-0.82 * z, 0.5 * z) };
-    let (roof_back, roof_front) = if van { (-0.97 * z, 0.5 * z) } else { (-0.55 * z, 0.1 * z) };
+    let (back, front, roof_back, roof_front) = match () {
+        () if a.says(&["bus", "minibus"]) => (-0.98 * z, 0.97 * z, -0.97 * z, 0.92 * z),
+        () if van => (-0.98 * z, 0.72 * z, -0.97 * z, 0.5 * z),
+        () => (-0.82 * z, 0.5 * z, -0.55 * z, 0.1 * z),
+    };
     let foot = block(-0.92 * x..0.92 * x, belt..belt + 0.001, back..front);
     let glazed = 0.94 * a.h;
     let head = block(-0.76 * x..0.76 * x, glazed - 0.001..glazed, roof_back..roof_front);

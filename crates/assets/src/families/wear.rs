@@ -20,13 +20,14 @@ pub(super) fn hat(a: &Ask) -> Model {
                 oval(1.38, [0.0, -0.06], [0.24, 0.28], 1.0),
             ];
             mesh.loft(&dome, &shell);
-            for x in [-0.4, 0.0, 0.4] {
-                let ridge = [
-                    at(x, 1.0 - 0.3 * f64::abs(x), -0.8),
-                    at(0.7 * x, 1.36 - 0.3 * f64::abs(x), -0.1),
-                    at(x, 1.0 - 0.3 * f64::abs(x), 0.72),
-                ];
-                mesh.tube(&ridge, 0.07, &shade(&shell, 0.55));
+            // Ridges over the crown.
+            for x in [-0.45, 0.0, 0.45] {
+                let across = f64::sqrt(1.0 - f64::powi(x / 0.95, 2));
+                let point = |k: i32| {
+                    let (sin, cos) = (0.24 * f64::from(k)).sin_cos();
+                    at(x, 0.12 + 1.26 * cos * across, -0.04 + 0.94 * sin * across)
+                };
+                mesh.tube(&(-5..=5).map(point).collect::<Vec<_>>(), 0.07, &shade(&shell, 0.55));
             }
             mesh.loft(
                 &[oval(0.22, [0.0, 0.66], [0.6, 0.5], 1.0), oval(0.32, [0.0, 0.6], [0.62, 0.5], 1.0)],
@@ -187,7 +188,6 @@ pub(super) fn tie(a: &Ask) -> Model {
                 &of(Finish::Fabric, 0xc9b06a),
             );
         }
-        mesh.torus(block(-0.4..0.4, -0.03..0.1, 0.8..1.5), 0.24, &silk);
     })
 }
 

@@ -123,6 +123,8 @@ pub const SHAPES: &[&str] = &[
     "stylus",
     "dance pole",
     "toy truck",
+    "train set",
+    "school bus",
     "pear",
     "pineapple",
     "watermelon",
