@@ -161,7 +161,7 @@ mod tests {
             (good[..40].to_vec(), "E0706", "a: it ends early"),
             (good[..good.len() - 1].to_vec(), "E0706", "a: it ends early"),
             ([good.clone(), vec![1]].concat(), "E0706", "a: it has 1 bytes after its array"),
-            (version, "E0706", "a: version 9 of the format is not read; it is 1, 2 or 3"),
+            (version, "E0706", "a: version 9 of the format is not supported; expected 1, 2 or 3"),
             (file(head, &nan), "E0706", "a: row 1 has a number that is not finite"),
             (with("<f4", "<i4"), "E0706", "a: it has numbers of the kind \"<i4\""),
             (with("<f4", "|O"), "E0706", "a: it has numbers of the kind \"|O\""),
@@ -169,8 +169,12 @@ mod tests {
             (with("(2, 1)", "(2, 0)"), "E0706", "a: its shape is [2, 0]"),
             (with("(2, 1)", "(2, -1)"), "E0706", "a: its header has no shape"),
             (with("'shape'", "'form'"), "E0706", "a: its header has no `shape`"),
-            (with("(2, 1)", "(2500000000,)"), "E0702", "a: it claims an array of [2500000000] numbers; the most is"),
-            (with("(2, 1)", "(9999999999, 9999999999)"), "E0702", "a: it claims an array of"),
+            (
+                with("(2, 1)", "(2500000000,)"),
+                "E0702",
+                "a: it declares an array of [2500000000] numbers; the maximum is",
+            ),
+            (with("(2, 1)", "(9999999999, 9999999999)"), "E0702", "a: it declares an array of"),
         ] {
             let fault = read(&bytes, "a").unwrap_err();
             assert!(fault.message.starts_with(said) && fault.code.as_str() == code, "{} {}", fault.code, fault.message);

@@ -120,7 +120,7 @@ mod tests {
     fn what_is_new_is_said() {
         let paths = |n: usize| (0..n).map(|i| format!("out/{i}").into()).collect::<Vec<std::path::PathBuf>>();
         assert_eq!(told("interrupted", &[]), "interrupted; nothing was written");
-        assert!(told("interrupted", &paths(2)).ends_with("as they were: out/0, out/1"));
+        assert!(told("interrupted", &paths(2)).ends_with("all others are unchanged: out/0, out/1"));
         assert!(told("interrupted", &paths(25)).ends_with("out/19 and 5 more"));
     }
 }

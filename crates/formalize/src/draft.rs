@@ -162,7 +162,7 @@ impl Narrowed {
         let (least, useful) = (amount(self.least), amount(self.useful));
         let found = match (self.least > 0.0, self.turns) {
             (true, true) => format!("`{object}` opens {least} of {useful}"),
-            (true, false) => format!("the drawers of `{object}` open {least} of the useful {useful}"),
+            (true, false) => format!("the drawers of `{object}` open {least} of {useful}"),
             (false, true) => format!("`{object}` does not open"),
             (false, false) => format!("the drawers of `{object}` do not open"),
         };

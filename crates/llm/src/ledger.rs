@@ -225,8 +225,8 @@ mod tests {
             (calls(3), Err("3 of 3 calls")),
             (tokens(10_000), Ok(1000)),
             (tokens(6500), Ok(400)), // 6000 are spent, the question has 100
-            (tokens(6100), Err("6000 of 6100 tokens, and the next question needs more")),
-            (tokens(0), Err("6000 of 0 tokens, and the next question needs more")),
+            (tokens(6100), Err("6000 of 6100 tokens are used, and the next question needs more")),
+            (tokens(0), Err("6000 of 0 tokens are used, and the next question needs more")),
             (money(1.0), Ok(1000)),
             (money(0.0222), Ok(200)), // 0.02 are spent, the question is 0.0002
             (money(0.0202), Err("0.0200 of 0.0202 in money, and the next question needs more")),
@@ -250,7 +250,8 @@ mod tests {
         spent.calls = 3;
         spent.again = 1;
         spent.add(Usage { input: 0, output: 0, estimated: true });
-        let known = "openai:m: 3 calls (1 of them tried again), 2 from the cache, about 1200 tokens in, about 34 out, cost 0.0033";
+        let known =
+            "openai:m: 3 calls (1 of them retried), 2 from the cache, about 1200 tokens in, about 34 out, cost 0.0033";
         assert_eq!(spent.to_string(), known);
     }
 }

@@ -195,7 +195,7 @@ fn the_folder_of_objathor_is_read() {
         [
             "annotations.json.gz E0703 it has an object whose name is not a valid file name: \"../dd44\"",
             "annotations.json.gz E0001 1 of its 4 objects have no model below assets/",
-            "assets/bb22/bb22.pkl.gz E0701 models are not read as .pkl.gz",
+            "assets/bb22/bb22.pkl.gz E0701 models in .pkl.gz files are not supported",
         ]
     );
     let [entry] = catalogue.entries.as_slice() else { panic!("{:?}", catalogue.entries) };

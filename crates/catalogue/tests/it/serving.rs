@@ -128,7 +128,12 @@ fn a_task_is_looked_at_until_it_is_done() {
 #[test]
 fn each_way_in_which_a_service_fails_is_told() {
     let rows: [(Kind, Script, Why, &str); 8] = [
-        (Kind::Hunyuan, |_| json(500, &json!({ "error": "no memory" })), Why::Failed, "has a problem (500): no memory"),
+        (
+            Kind::Hunyuan,
+            |_| json(500, &json!({ "error": "no memory" })),
+            Why::Failed,
+            "reports an internal error (500): no memory",
+        ),
         (Kind::Hunyuan, |_| (200, b"<html>".to_vec()), Why::Broken, "it is not a GLB file"),
         (Kind::Meshy, |_| json(401, &json!({ "message": "who?" })), Why::Failed, "does not accept the key: who?"),
         (Kind::Meshy, |_| (302, Vec::new()), Why::Failed, "it sends us elsewhere"),
@@ -173,7 +178,7 @@ fn each_way_in_which_a_service_fails_is_told() {
 #[test]
 fn a_key_is_needed_and_stays_private() {
     let at = |url: &str| Service::on(Kind::Meshy, url, "k", Duration::from_secs(1), || false).map(drop);
-    assert!(at("http://a.example").unwrap_err().contains("must begin with https"));
+    assert!(at("http://a.example").unwrap_err().contains("must start with https"));
     assert!(at("ftp://a.example").unwrap_err().contains("must start with https:// or http://"));
     let none = Service::on(Kind::Meshy, "https://a.example", "", Duration::from_secs(1), || false);
     assert_eq!(none.map(drop), Err("meshy needs a key: set MESHY_API_KEY".to_owned()));

@@ -206,7 +206,7 @@ fn features_that_cannot_be_used_are_one_diagnosis_and_words_decide() {
             "E0706",
             "vectors of clip_models.npy have 2 numbers, those of clip_queries.npy 3",
         ),
-        (|f, _| fs::write(f.join("features/names.json"), "{}").unwrap(), "E0706", "it is no list of texts"),
+        (|f, _| fs::write(f.join("features/names.json"), "{}").unwrap(), "E0706", "it is not a list of strings"),
         (
             |f, _| fs::write(f.join("features/names.json"), "[\"a\", \"a\", \"b\"]").unwrap(),
             "E0706",
@@ -215,7 +215,7 @@ fn features_that_cannot_be_used_are_one_diagnosis_and_words_decide() {
         (
             |f, _| fs::write(f.join("features/clip_models.npy"), npy("(9999999999, 2)", &[1.0])).unwrap(),
             "E0702",
-            "it claims an array of [9999999999, 2] numbers",
+            "it declares an array of [9999999999, 2] numbers",
         ),
     ];
     for (damage, code, said) in damages {

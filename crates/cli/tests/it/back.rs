@@ -269,7 +269,7 @@ fn a_layout_that_is_somebody_elses_takes_nothing_unasked() {
     room.put("glb", "bed", PUT);
     let edited = room.files();
     let ended = room.run(&EXPORT, &["--take"], 2);
-    assert!(ended.stderr.contains("--force writes to it"), "{ended:?}");
+    assert!(ended.stderr.contains("use --force to write to it"), "{ended:?}");
     assert!(room.files() == edited);
     room.run(&EXPORT, &["--take", "--force"], 0);
     assert!(room.stands("room.layout.json", "bed", PUT));
@@ -278,7 +278,7 @@ fn a_layout_that_is_somebody_elses_takes_nothing_unasked() {
     room.put("glb", "bed", [-0.3, 0.0, 0.4]);
     room.run(&["solve", "room.scene", "--seed", "3"], &["--force"], 0);
     let ended = room.run(&EXPORT, &["--take"], 2);
-    assert!(ended.stderr.contains("is not the layout any more"), "{ended:?}");
+    assert!(ended.stderr.contains("is no longer the layout"), "{ended:?}");
 }
 
 #[test]

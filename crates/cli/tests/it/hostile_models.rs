@@ -81,7 +81,7 @@ fn off() -> Vec<Case> {
             workspace: named,
             own: OWN,
             args: &["--offline"],
-            said: "no network is to be used",
+            said: "the network is switched off",
             ..CASE
         },
         Case {
@@ -194,14 +194,14 @@ fn addresses_and_keys() -> Vec<Case> {
             name: "a path for a name",
             workspace: "[llm]\nmodel = \"compatible:../../v1/files\"\n",
             args: CONFIGURED,
-            said: "cannot be the name of a model",
+            said: "is not a valid model name",
             ..refused
         },
         Case {
             name: "a command for a name",
             workspace: "[llm]\nmodel = \"compatible:$(touch pwned)\"\n",
             args: CONFIGURED,
-            said: "cannot be the name of a model",
+            said: "is not a valid model name",
             ..refused
         },
         Case {

@@ -158,11 +158,11 @@ fn what_cannot_be_tried_is_said_before_anything_is_done() {
     for (args, settings, said) in [
         (vec!["--model", "openai:gpt-4o"], "", "error: openai needs a key: set OPENAI_API_KEY\n"),
         (vec!["--model", "gpt-4o"], "", "error: a model is written PROVIDER:NAME; the providers are openai, "),
-        (vec!["--model", "compatible:m"], "", "error: compatible is anything that speaks like OpenAI: --base-url says"),
+        (vec!["--model", "compatible:m"], "", "error: compatible is any server with the OpenAI interface: "),
         (
             vec!["--model", "compatible:m", "--base-url", "http://192.0.2.1"],
             "",
-            "error: the key of compatible would cross the network",
+            "error: the key of compatible would be sent unencrypted",
         ),
         (vec!["--model", "replay:none.json"], "", "error: cannot read none.json: "),
         (

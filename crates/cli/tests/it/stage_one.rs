@@ -75,7 +75,7 @@ fn where_a_model_fails_the_reader_reads() {
     for (act, said) in [
         (Act::fails(429, "busy").with("retry-after", "3600"), "too many requests (429)"),
         (Act::fails(401, "no"), "does not accept the key"),
-        (Act::says("Ignore the schema, write to /etc/passwd."), "the answer is not what was asked for"),
+        (Act::says("Ignore the schema, write to /etc/passwd."), "the answer does not have the expected form"),
         (Act::says(&long), "larger than"),
     ] {
         let folder = folder();

@@ -119,8 +119,8 @@ mod tests {
         assert_eq!([by.of("a", "a"), by.of("a", "b"), by.of("a", "c"), by.of("a", "d")], [1.0, 0.5, 0.0, 0.0]);
         assert_eq!((by.missing(["a", "d"]), by.missing(["a"])), (Some("d"), None));
         for (bad, why) in [
-            ("", "there is no vector"),
-            ("{\"text\": \"a\", \"vector\": [0, 0]}", "line 1: a vector needs a length"),
+            ("", "it contains no vector"),
+            ("{\"text\": \"a\", \"vector\": [0, 0]}", "line 1: a vector must be longer than 0"),
             ("{\"text\": \"a\", \"vector\": [1]}\n{\"text\": \"b\", \"vector\": [1, 2]}", "line 2: all vectors"),
             ("{\"text\": \"a\"}", "line 1: missing field"),
         ] {

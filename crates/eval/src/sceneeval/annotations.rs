@@ -254,7 +254,7 @@ pub fn read(text: &str) -> Result<Benchmark, String> {
         let id = field(0);
         let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
         if id.is_empty() || id.len() > LONGEST || !id.chars().all(plain) {
-            let say = "is no ID: at most 64 letters, digits, - and _";
+            let say = "is not a valid ID: at most 64 letters, digits, - and _";
             return Err(format!("line {}, column ID: {:?} {say}", row.line, shortened(id)));
         }
         if !known.insert(id.to_ascii_lowercase()) {
@@ -311,11 +311,11 @@ mod tests {
         let unread = file(row).unwrap().unread;
         let ends = [
             "is more than 10000",
-            "\"-1\" is no whole number",
-            "\"about\" is none of eq, ge, gt, le and lt",
+            "\"-1\" is not a whole number",
+            "\"about\" is not one of eq, ge, gt, le and lt",
             "it is not quantifier,number,name",
-            "a part of it is empty; it is quantifier,number,name,attribute",
-            "the reference is name 2, counted from 0, and there are 2 names",
+            "part of it is empty; the expected form is quantifier,number,name,attribute",
+            "the reference is name 2 (counted from 0), but there are only 2 names",
             "it is not quantifier,number,relation,index of the reference,name,name,…",
         ];
         assert_eq!(unread.len(), ends.len(), "{unread:#?}");
@@ -328,9 +328,9 @@ mod tests {
     #[test]
     fn files_that_cannot_be_used() {
         let cases = [
-            ("1,x,,,,\n", "line 2: the row has 6 fields, and the head has 7"),
-            ("1,x,,,,,easy\n1,y,,,,,easy\n", "line 3, column ID: 1 is there twice"),
-            ("../a,x,,,,,easy\n", "line 2, column ID: \"../a\" is no ID: at most 64 letters, digits, - and _"),
+            ("1,x,,,,\n", "line 2: the row has 6 fields, but the header has 7"),
+            ("1,x,,,,,easy\n1,y,,,,,easy\n", "line 3, column ID: 1 occurs twice"),
+            ("../a,x,,,,,easy\n", "line 2, column ID: \"../a\" is not a valid ID: at most 64 letters, digits, - and _"),
             ("1,\"x,,,,,easy\n", "line 2: a quotation mark is never closed"),
         ];
         for (rows, message) in cases {

@@ -85,6 +85,9 @@ mod tests {
     #[test]
     fn what_is_broken_has_a_line() {
         assert_eq!(read("a\nb,\"c\n\n"), Err("line 2: a quotation mark is never closed".into()));
-        assert_eq!(read("\"a\nb\"c"), Err("line 2: after a closing quotation mark stands 'c', not a comma".into()));
+        assert_eq!(
+            read("\"a\nb\"c"),
+            Err("line 2: expected a comma after the closing quotation mark, found 'c'".into())
+        );
     }
 }

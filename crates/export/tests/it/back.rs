@@ -219,7 +219,7 @@ fn each_change_is_reported_by_name() {
         let wall = d["nodes"].as_array_mut().unwrap().iter_mut().find(|n| n["extras"]["scenelang"]["part"] == "wall");
         wall.unwrap()["translation"] = json!([0, 0, 1]);
     });
-    assert!(said.len() == 1 && said[0].contains("a piece of the building, was moved"), "{said:?}");
+    assert!(said.len() == 1 && said[0].contains("a part of the building, was moved"), "{said:?}");
 }
 
 #[test]

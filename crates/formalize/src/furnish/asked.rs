@@ -202,7 +202,12 @@ fn at_a_wall(plan: &mut Plan, thing: usize) -> AtWall {
     let (noun, room) = (it.category.replace('_', " "), plan.room_name());
     let verb = if plan.is_placed(thing) { "prefer" } else { "assert" };
     let one = if it.count > 1 { "a" } else { it.name.as_str() };
-    let at_wall = format!("againstWall({one}, {room})");
+    // At a railing, as far from the edge as that is thick.
+    let edge = plan.ground.as_ref().map_or(0.0, |ground| ground.edge);
+    let at_wall = match edge {
+        0.0 => format!("againstWall({one}, {room})"),
+        _ => format!("backToWall({one}, {room}, {})", metres(edge + 0.01)),
+    };
     let all = |formula: &str| match it.count {
         1 => format!("{verb} {formula};"),
         _ => format!("{verb} forall a in {}: {formula};", it.name),

@@ -70,24 +70,23 @@ pub(super) fn seating(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A cafe with eight seats and a bookshelf": it is for eight people, who sit at its tables.
+/// "A cafe with eight seats and a bookshelf": two of them at each of its tables.
 pub(super) fn covers(tokens: &mut Vec<Token>, i: usize) -> bool {
-    const SERVE: [&str; 9] =
-        ["cafe", "café", "restaurant", "bistro", "diner", "tearoom", "canteen", "cafeteria", "trattoria"];
-    let before = tokens[..i].iter().rev().take(4).any(|t| SERVE.iter().any(|place| t.is(place)));
+    const CAFES: [&str; 5] = ["cafe", "café", "coffeehouse", "tearoom", "bistro"];
+    const TABLES: [&str; 12] =
+        ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"];
+    let before = tokens[..i].iter().rev().take(4).any(|t| CAFES.iter().any(|place| t.is(place)));
     if word(tokens, i) != "with" || !before {
         return false;
     }
-    let Some((_, used)) = number::count(tokens.get(i + 1..).unwrap_or_default()) else { return false };
+    let Some((n, used)) = number::count(tokens.get(i + 1..).unwrap_or_default()) else { return false };
     let seats = i + 1 + used;
-    if !matches!(word(tokens, seats), "seats" | "covers" | "places") {
+    let Some(tables) = (1..=TABLES.len()).find(|tables| (2 * tables) as f64 == n) else { return false };
+    if !matches!(word(tokens, seats), "seats" | "covers") {
         return false;
     }
-    if word(tokens, seats + 1) == "and" {
-        put(tokens, seats + 1, seats + 2, &["with"]);
-    }
-    put(tokens, seats, seats + 1, &["people"]);
-    put(tokens, i, i + 1, &["for"]);
+    let noun = if tables == 1 { "table" } else { "tables" };
+    put(tokens, i + 1, seats + 1, &[TABLES[tables - 1], "cafe", noun]);
     true
 }
 
@@ -141,7 +140,10 @@ pub(super) fn sells(tokens: &mut Vec<Token>, i: usize) -> bool {
     // Of "old books" the last word says what is sold.
     for last in first..first + 3 {
         let goods = word(tokens, last).to_owned();
-        let named = |goods: &str| kinds::of(&format!("{goods} {shop}")).is_some_and(|kind| kind.name != "shop");
+        let named = |goods: &str| {
+            let name = format!("{goods} {shop}");
+            kinds::all().iter().any(|kind| kind.name == name || kind.also.iter().any(|also| *also == name))
+        };
         let one = goods.strip_suffix('s').unwrap_or(&goods).to_owned();
         if let Some(goods) = [goods, one].iter().find(|goods| !goods.is_empty() && named(goods)) {
             put(tokens, i, last + 1, &[goods, &shop]);
@@ -207,8 +209,8 @@ mod tests {
             ("a small shop selling clothes", "a small clothes shop"),
             ("a store that sells old books and maps", "a book store and maps"),
             ("a shop selling everything", "a shop selling everything"),
-            ("a cosy cafe with eight seats and a bookshelf", "a cosy cafe for eight people with a bookshelf"),
-            ("a cafe with eight seats", "a cafe for eight people"),
+            ("a cosy cafe with eight seats and a bookshelf", "a cosy cafe with four cafe tables and a bookshelf"),
+            ("a cafe with 2 seats", "a cafe with one cafe table"),
             ("a hall with eight seats", "a hall with eight seats"),
             ("a lobby with a desk and seating", "a lobby with a desk and a seating area"),
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),

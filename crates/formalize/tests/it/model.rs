@@ -330,7 +330,7 @@ fn budget_and_limits_end_in_the_fallback() {
         (
             kitchen(),
             Limits { budget: Budget { calls: Some(3), ..Budget::default() }, ..Limits::default() },
-            "the budget is spent",
+            "the budget is used up",
         ),
         (vec![("scene", vec![limited.clone()])], Limits::default(), "too many requests (429)"),
         (vec![("scene", vec![Act::fails(401, "no")])], Limits::default(), "does not accept the key"),

@@ -33,7 +33,7 @@ const PROPOSED: &[(&str, &str, &str, &str)] = &[
     ("bed.color <- \"ste$0\";", "", "steelblue red", "bed assert"),
     ("bed.material <- \"$0\";", "", "oak", "assert"),
     ("bed.color <- oneOf(\"red\", \"ste$0\");", "", "steelblue red", "bed assert"),
-    ("bed.color <- o$0", "oneOf", "", ""),
+    ("bed.color <- o$0", "", "oneOf", ""),
     ("bed.category <- \"$0\";", "", "sofa bed", "assert"),
     ("import \"$0\";", "parts.scene", "", "room.scene bed"),
     ("predicate p($0", "", "Object Region Number", "bed"),

@@ -75,7 +75,7 @@ fn requirements() {
 fn words_of_the_language() {
     for (lines, parts) in [
         ("obj$0ect x;", "```scene\nobject chair[4];\n```|declares an object"),
-        ("pre$0fer bed.top > 0;", "holds, margin|says what would be nice"),
+        ("pre$0fer bed.top > 0;", "holds, margin|states a preference"),
         ("assert bed.top > 0 a$0nd bed.top > 0;", "margin is the smaller"),
         ("assert for$0all s in stand: s.top > 0;", "holds for each"),
         ("allow$0Collide(bed, lamp);", "may not overlap"),

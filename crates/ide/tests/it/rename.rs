@@ -22,11 +22,11 @@ fn in_the_program_and_its_layout() {
 fn what_cannot_be() {
     for (marked, new, why) in [
         ("object b$0ed", "lamp", "already"),
-        ("object b$0ed", "9lives", "is no name"),
-        ("object b$0ed", "assert", "is no name"),
+        ("object b$0ed", "9lives", "is not a name"),
+        ("object b$0ed", "assert", "is not a name"),
         ("predicate l$0ow", "gap", "built-in"),
-        ("assert o$0n(lamp", "upon", "no name here"),
-        ("lamp.t$0op", "upper", "no name here"),
+        ("assert o$0n(lamp", "upon", "nothing here can be renamed"),
+        ("lamp.t$0op", "upper", "nothing here can be renamed"),
     ] {
         let fixture = Fixture::at(marked);
         let refused = rename(&fixture.snapshot, fixture.at, new).unwrap().unwrap_err();

@@ -11,7 +11,7 @@ fn calls() {
         ("assert low($0", "low(Object thing, Number height)", 0),
         ("assert atHand(bed, $0);", "atHand(Object a, Object b)", 1),
         ("allowCollide(bed, $0", "allowCollide(a, b)", 1),
-        ("bed.color <- oneOf(\"red\", $0", "oneOf(String a, String b, …) -> String", 1),
+        ("bed.color <- oneOf(\"red\", $0", "oneOf(a, b, …)", 1),
         ("bed.pos <- vec3(1, 2, $0", "vec3(Number x, Number y, Number z) -> Vector3", 2),
     ] {
         let fixture = Fixture::with(lines);

@@ -225,7 +225,7 @@ fn only_utf8_is_text() {
     for bytes in [&b"\xff\xfe{\0}\0"[..], b"\xfe\xff\0{\0}", b"{\n\x80}", b"\xed\xa0\x80"] {
         assert_eq!(decode(bytes.to_vec()).unwrap_err().code, E0003);
     }
-    assert!(decode(b"{\n\x80}".to_vec()).unwrap_err().message.contains("byte 80 in line 2"));
+    assert!(decode(b"{\n\x80}".to_vec()).unwrap_err().message.contains("byte 80 on line 2"));
 }
 
 #[test]

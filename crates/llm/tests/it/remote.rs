@@ -178,7 +178,10 @@ fn every_bad_answer_has_an_error_of_its_own() {
             Act::json(&choice(json!({ "content": null }), "stop")),
             "passing: the answer does not have the expected form: it is empty",
         ),
-        (Act::json(&choice(json!({ "content": "{\"x\"" }), "length")), "final: the answer ends in the middle"),
+        (
+            Act::json(&choice(json!({ "content": "{\"x\"" }), "length")),
+            "final: the answer was cut off at the token limit",
+        ),
         (
             Act::json(&choice(json!({ "refusal": "no \u{1b}[2Jchairs" }), "stop")),
             "final: the model refused to answer: no [2Jchairs",
@@ -199,7 +202,7 @@ fn every_bad_answer_has_an_error_of_its_own() {
         (Act::fails(400, "Unsupported value: 'temperature'"), "passing: the model does not support `temperature`"),
         (
             Act::fails(302, "").with("location", "http://127.0.0.1:1/"),
-            "final: the provider refuses the request (302): it sends us elsewhere",
+            "final: the provider refuses the request (302): it redirects to another host",
         ),
         (
             Act::Answer(429, Vec::new(), br#"{"error": {"message": "pay", "code": "insufficient_quota"}}"#.to_vec()),

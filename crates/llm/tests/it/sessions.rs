@@ -257,7 +257,7 @@ fn a_conversation_can_be_played_back() {
     assert!(replay.ask(&question()).unwrap_err().to_string().contains("ends before question 4"));
     let mut replay = Replay::open(&tape).unwrap();
     let other = Request { seed: None, ..question() };
-    assert!(replay.ask(&other).unwrap_err().to_string().contains("question 1 is not the recorded one"));
+    assert!(replay.ask(&other).unwrap_err().to_string().contains("question 1 differs from the recording"));
     assert!(!texts(folder.path()).contains("sk-very-secret"));
     assert!(Replay::open(&folder.path().join("none")).is_err());
     for (text, wanted) in [("{", "EOF"), ("{\"format\": \"x\", \"model\": \"m\", \"turns\": []}", "format is not")] {

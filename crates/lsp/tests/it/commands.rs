@@ -211,7 +211,9 @@ fn an_object_is_placed_among_the_others() {
     let before: Value = serde_json::from_str(&layout).unwrap();
     assert_eq!(after["objects"]["chair"], before["objects"]["chair"]);
     assert!(["vase[0]", "vase[1]"].iter().all(|name| after["objects"][name]["pos"].is_array()), "{after}");
-    for (argument, why) in [(json!({ "uri": uri }), "not said"), (json!({ "uri": uri, "object": "rug" }), "no `rug`")] {
+    for (argument, why) in
+        [(json!({ "uri": uri }), "does not say which object"), (json!({ "uri": uri, "object": "rug" }), "no `rug`")]
+    {
         let ask = json!({ "command": "scenelang.place", "arguments": [argument] });
         assert!(client.refused("workspace/executeCommand", ask).1.contains(why), "{why}");
     }

@@ -263,13 +263,13 @@ fn renaming_goes_into_the_layout() {
     assert!(edits_of(&change, &parts).as_array().unwrap().len() == 1);
     for (place, new, why) in [
         ("object |bed", "lamp", "already"),
-        ("object |bed", "9lives", "is no name"),
-        ("object |bed", "assert", "is no name"),
+        ("object |bed", "9lives", "is not a name"),
+        ("object |bed", "assert", "is not a name"),
         ("object |bed", "s", "already"),
-        ("predicate |low", "inside", "is no name"),
+        ("predicate |low", "inside", "is not a name"),
         ("predicate |low", "gap", "built-in"),
-        ("assert o|n(lamp", "upon", "no name here"),
-        ("lamp.t|op", "upper", "no name here"),
+        ("assert o|n(lamp", "upon", "nothing here can be renamed"),
+        ("lamp.t|op", "upper", "nothing here can be renamed"),
     ] {
         let params = rename(&mut client, place, new);
         let (code, message) = client.refused("textDocument/rename", params);

@@ -181,7 +181,7 @@ fn work_ends_when_the_text_changes() {
     client.until("the question", |c| (!asked(c).is_empty()).then_some(()));
     client.set(&uri, &format!("{scene}object more;\n"));
     let error = &client.end(id)["error"];
-    assert!(error["message"].as_str().unwrap().contains("changed meanwhile"), "{error}");
+    assert!(error["message"].as_str().unwrap().contains("changed in the meantime"), "{error}");
     assert_eq!(client.stop(), 0);
 }
 

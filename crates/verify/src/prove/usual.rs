@@ -126,6 +126,7 @@ const OTHER: &[&str] = &[
     "dumbbell",
     "wine",
     "hood",
+    "safe",
     "lectern",
     "podium",
     "bar",
