@@ -136,7 +136,7 @@ fn each_way_in_which_a_service_fails_is_told() {
         ),
         (Kind::Hunyuan, |_| (200, b"<html>".to_vec()), Why::Broken, "it is not a GLB file"),
         (Kind::Meshy, |_| json(401, &json!({ "message": "who?" })), Why::Failed, "does not accept the key: who?"),
-        (Kind::Meshy, |_| (302, Vec::new()), Why::Failed, "it sends us elsewhere"),
+        (Kind::Meshy, |_| (302, Vec::new()), Why::Failed, "it redirects to another host"),
         (Kind::Meshy, |_| json(200, &json!({ "result": "../../etc" })), Why::Failed, "did not name a task"),
         (
             Kind::Meshy,
