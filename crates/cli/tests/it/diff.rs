@@ -71,7 +71,7 @@ fn people_read_what_moved_and_what_that_did() {
       lamp    asset    other id
 
       region  is        how
-      ──────  ────────  ──────────────────────────────
+      ──────  ────────  ────────────────────────────────
       room    reshaped  an outline with 3 corners, was 4
 
       variable  was  is

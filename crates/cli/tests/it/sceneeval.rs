@@ -117,7 +117,7 @@ fn broken_files_have_one_message() {
     let cases = [
         ("0,x,,,,,easy\n", "a.csv: line 2: the row has 7 fields, but the header has 8"),
         ("0,\"x,,,,,,easy\n", "a.csv: line 2: a quotation mark is never closed"),
-        ("../0,x,,,,,easy,\n", "a.csv: line 2, column ID: \"../0\" is no ID"),
+        ("../0,x,,,,,easy,\n", "a.csv: line 2, column ID: \"../0\" is not a valid ID"),
         ("", "a.csv has no such request"),
     ];
     for (rows, message) in cases {
