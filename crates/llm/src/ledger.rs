@@ -229,8 +229,8 @@ mod tests {
             (tokens(0), Err("6000 of 0 tokens are used, and the next question needs more")),
             (money(1.0), Ok(1000)),
             (money(0.0222), Ok(200)), // 0.02 are spent, the question is 0.0002
-            (money(0.0202), Err("0.0200 of 0.0202 in money, and the next question needs more")),
-            (money(f64::NAN), Err("0.0200 of NaN in money, and the next question needs more")),
+            (money(0.0202), Err("0.0200 of the money budget of 0.0202 is spent, and the next question needs more")),
+            (money(f64::NAN), Err("0.0200 of the money budget of NaN is spent, and the next question needs more")),
         ] {
             let got = spent.admit(&budget, &question(300));
             assert_eq!(got, wanted.map_err(|w| Error::Spent(w.to_owned())), "{budget:?}");

@@ -144,9 +144,9 @@ pub(super) fn check_base(base: &str) -> Result<(), Error> {
         return setup("a base URL must not contain a user or a password; keys come from the environment".into());
     }
     let shown = plain(base, 100);
-    let Ok(uri) = base.parse::<Uri>() else { return setup(format!("`{shown}` is no base URL")) };
+    let Ok(uri) = base.parse::<Uri>() else { return setup(format!("`{shown}` is not a base URL")) };
     if uri.host().is_none_or(str::is_empty) || uri.query().is_some() {
-        return setup(format!("`{shown}` is no base URL"));
+        return setup(format!("`{shown}` is not a base URL"));
     }
     if !matches!(uri.scheme_str(), Some("https" | "http")) {
         return setup(format!("`{shown}` must start with https:// or http://"));
