@@ -290,8 +290,6 @@ checkOwn("a message replaces the room", async (page) => {
   await page.waitForFunction(() => !document.querySelector(".notice").hidden, PATIENCE);
   assert.match(await page.$eval(".notice", (e) => e.textContent), /format: expected/);
   assert.equal((await rowsOf(page)).length, 2);
-  await page.evaluate(() => window.postMessage({ type: "provisional" }, "*"));
-  await page.waitForFunction(() => /provisional/.test(document.querySelector(".notice").textContent), PATIENCE);
 });
 
 /** An editor around the page: notes what it is told, and answers moves by `answer`. */
@@ -315,6 +313,19 @@ async function inEditor(page, data, answer) {
   await page.waitForFunction(() => document.querySelector('#scenelang[data-state="ready"]') !== null, PATIENCE);
   return (type) => page.evaluate((type) => window.told.filter((message) => message.type === type), type);
 }
+
+checkOwn("an editor says that the room is provisional or out of date, and takes it back", async (page) => {
+  await inEditor(page, fixtureData(), () => ({}));
+  const send = (message) => page.evaluate((message) => window.postMessage(message, "*"), message);
+  const notice = (pattern) =>
+    page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector(".notice:not([hidden])")?.textContent), PATIENCE, pattern);
+  await send({ type: "provisional" });
+  await notice("provisional");
+  await send({ type: "stale", why: "the program has errors" });
+  await notice("the program has errors");
+  await send({ type: "stale", why: null });
+  await page.waitForFunction(() => document.querySelector(".notice").hidden, PATIENCE);
+});
 
 /** A place of the window where an object is seen. */
 async function find(page, name) {
