@@ -84,6 +84,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("ceiling_light", lighting::ceiling_light),
     ("camera_tripod", studio::camera_tripod),
     ("rowing_machine", sport::rowing_machine),
+    ("sauna", play::sauna),
     ("sauna_heater", play::sauna_heater),
     ("slide", play::slide),
     ("flower_bucket", shops::flower_bucket),

@@ -1,6 +1,7 @@
 //! What children and those at rest use: a rocking horse, a dolls' house, a slide, a toy kitchen, a hammock.
 
 use crate::ask::Ask;
+use crate::block::pieces;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::model::Model;
 
@@ -192,5 +193,39 @@ pub(super) fn sauna_heater(a: &Ask) -> Model {
     for post in b.share(0.0..0.06, 0.0..0.6, 0.94..1.0).both_sides() {
         m.board(post, &wood);
     }
+    m
+}
+
+/// A cabin of planks with a front of glass, behind which two benches and a heater are seen.
+pub(super) fn sauna(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    m.solid(b);
+    let wood = a.main(stuff::BIRCH);
+    let inside = shade(&wood, 0.88);
+    let dark = stuff::BLACK_STEEL.surface();
+    let (tx, tz) = (0.07 / a.w.max(0.7), 0.07 / a.d.max(0.7));
+    m.mesh.board(b.share(0.0..1.0, 0.0..0.04, 0.0..1.0), &wood);
+    m.mesh.board(b.share(0.0..1.0, 0.95..1.0, 0.0..1.0), &wood);
+    m.mesh.board(b.share(tx..1.0 - tx, 0.04..0.95, 0.0..tz), &inside);
+    for side in b.share(0.0..tx, 0.04..0.95, 0.0..1.0).both_sides() {
+        for plank in side.split(1, pieces(0.9 * a.h, 0.12, 4, 24), 0.004) {
+            m.mesh.crisp(plank, &wood);
+        }
+    }
+    // The benches are one above the other, and the heater stands before the lower one.
+    m.mesh.board(b.share(tx..1.0 - tx, 0.4..0.44, tz..0.4), &wood);
+    m.mesh.board(b.share(tx..0.6, 0.2..0.24, 0.42..0.68), &wood);
+    m.mesh.crisp(b.share(0.7..0.88, 0.04..0.3, 0.6..0.82), &dark);
+    let face = b.share(tx..1.0 - tx, 0.04..0.95, 1.0 - tz..1.0);
+    for plank in face.share(0.0..0.18, 0.0..1.0, 0.0..0.9).split(1, pieces(0.9 * a.h, 0.12, 4, 24), 0.004) {
+        m.mesh.crisp(plank, &wood);
+    }
+    m.mesh.crisp(face.share(0.2..0.56, 0.0..1.0, 0.3..0.5), &stuff::GLASS.surface());
+    for post in [0.18..0.2, 0.56..0.59, 0.97..1.0] {
+        m.mesh.crisp(face.share(post, 0.0..1.0, 0.0..0.9), &wood);
+    }
+    m.mesh.crisp(face.share(0.6..0.96, 0.01..0.99, 0.3..0.5), &stuff::GLASS.surface());
+    m.mesh.rounded(face.share(0.63..0.65, 0.42..0.6, 0.55..1.0), 0.01, 2, &dark);
     m
 }

@@ -66,7 +66,7 @@ pub fn fence(brief: &mut Brief) {
     }
 }
 
-fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {
+pub(super) fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {
     let words: Vec<String> = name.split(' ').map(|w| if plural(w) { singular(w) } else { w.to_owned() }).collect();
     let (last, group) = get().noun_ending(&words).unwrap_or((1, Group::Floor));
     brief.things.push(Thing {

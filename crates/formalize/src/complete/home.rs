@@ -1,6 +1,7 @@
 //! Homes and other buildings of several rooms: what a flat has that nobody names, a hall where there are many rooms, and
 //! where things are that are said to be "in the flat".
 
+use super::defaults::push;
 use crate::brief::{Brief, Group, Room, Source, What};
 use crate::furnish::kinds;
 use crate::furnish::number::{Scale, scale as said_scale};
@@ -40,7 +41,37 @@ pub fn complete(brief: &mut Brief) -> f64 {
             hall(brief, 2);
         }
     }
+    baby(brief);
     scale
+}
+
+/// "For a couple with a baby": the second bedroom, if nothing is said of it, is for the baby, else a crib stands in the
+/// parents' room.
+fn baby(brief: &mut Brief) {
+    const BABY: [&str; 3] = ["baby", "newborn", "infant"];
+    const BEFORE: [&str; 4] = ["a", "their", "her", "his"];
+    const CRIBS: [&str; 3] = ["crib", "cot", "cradle"];
+    let request = brief.request.to_lowercase();
+    // "A baby's bed" and "a baby monitor" are things; the baby ends its phrase.
+    let mut phrases = request.split([',', '.', ';', ':']).filter_map(|phrase| {
+        let mut end = phrase.split_whitespace().rev();
+        Some((end.next()?, end.next()?))
+    });
+    let said = |(last, before): (&str, &str)| BABY.contains(&last) && BEFORE.contains(&before);
+    let has_crib = brief.things.iter().any(|thing| thing.words.last().is_some_and(|w| CRIBS.contains(&w.as_str())));
+    if !phrases.any(said) || has_crib {
+        return;
+    }
+    let is_bedroom = |at: &usize| kinds::of(&brief.rooms[*at].name).is_some_and(|kind| kind.name == "bedroom");
+    let bedrooms: Vec<usize> = (0..brief.rooms.len()).filter(is_bedroom).collect();
+    let (Some(first), false) = (bedrooms.first(), has(brief, &["nursery"])) else { return };
+    let is_used = |at: &usize| brief.things.iter().any(|thing| thing.room == *at && thing.group == Group::Bed);
+    match bedrooms[1..].iter().find(|at| !is_used(at) && brief.rooms[**at].name == "bedroom") {
+        Some(at) => brief.rooms[*at].name = "nursery".into(),
+        None => {
+            push(brief, *first, "crib", 1, "a baby sleeps in a crib");
+        }
+    }
 }
 
 /// Makes rooms as much larger or smaller as their home is.

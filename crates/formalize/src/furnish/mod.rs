@@ -171,18 +171,37 @@ fn shelves_in_rows(brief: &Brief, at: usize) -> Option<usize> {
     (thing.group == Group::Storage && said.ends_with("rows of")).then_some(ROWS)
 }
 
+/// "Many" are so many at least.
+const MANY: usize = 5;
+
 /// How many "racks" are, where such rooms have whole rows of them.
 fn several(brief: &Brief, at: usize) -> Option<usize> {
     // So many sit at a table for a group.
     const GROUP: usize = 4;
     let thing = &brief.things[at];
     let kind = kinds::of(&brief.rooms.get(thing.room)?.name)?;
-    let plural = thing.number == Number::Plural && thing.part.is_none();
+    let many = is_many(brief, at);
+    let plural = (thing.number == Number::Plural || many) && thing.part.is_none();
     let is_group = plural && matches!(thing.name().as_str(), "group table" | "shared table");
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| is_group) {
         return Some(people.div_ceil(GROUP).max(2));
     }
-    let line = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()))?;
+    let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()));
+    let least = (many && thing.part.is_none()).then_some(MANY);
+    let usual = own.and_then(|line| usual_number(brief, at, kind, line, plural));
+    usual.map(|n| n.max(least.unwrap_or(0))).or(least)
+}
+
+/// Whether "many" of a thing are asked for.
+fn is_many(brief: &Brief, at: usize) -> bool {
+    let said = brief.request.get(brief.things[at].source.at()).unwrap_or("").to_lowercase();
+    let first = said.split_whitespace().next().unwrap_or("");
+    brief.things[at].number == Number::Several && matches!(first, "many" | "numerous" | "countless")
+}
+
+/// How many of a thing a room has by the line of its kind that has such things.
+fn usual_number(brief: &Brief, at: usize, kind: &kinds::Kind, line: &kinds::Line, plural: bool) -> Option<usize> {
+    let thing = &brief.things[at];
     let rows = matches!(line.place, kinds::Place::Rows(_)) && plural;
     match line.count {
         // "A pharmacy with shelves": as many as such shops have.

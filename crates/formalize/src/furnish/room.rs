@@ -141,7 +141,7 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool) {
     }
     stand_up(plan, &order.waiting);
     for thing in &order.small {
-        if !tops::carry(plan, *thing) {
+        if !tops::carry(plan, *thing) && !tops::carry_on_new(plan, *thing) {
             stand_up(plan, &[*thing]);
         }
     }

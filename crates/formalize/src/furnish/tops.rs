@@ -2,6 +2,8 @@
 //! laptop on a desk, and not on the floor. What carries what is in `data/carriers.txt`.
 
 use super::groups::{self, Part, Where};
+use super::inventory::single;
+use super::kinds::{Count, Line, Place};
 use super::plan::Plan;
 use super::slots::{Level, Slot, Taken};
 use super::{place, stand};
@@ -55,6 +57,22 @@ pub fn carry(plan: &mut Plan, at: usize) -> bool {
         .collect();
     carriers.sort_unstable();
     plan.claimed.contains(&at) || carriers.into_iter().any(|(_, of)| put(plan, at, of))
+}
+
+/// Adds the most usual carrier of such things to a room where nothing has a place for it, and puts it there. Whether that
+/// was possible.
+pub fn carry_on_new(plan: &mut Plan, at: usize) -> bool {
+    let thing = plan.draft.things[at].clone();
+    let (noun, Some(own)) = (thing.category.replace('_', " "), thing.size) else { return false };
+    let fits = |size: [f64; 3]| own[0] * thing.count as f64 <= size[0] && own[2] <= size[2] && size[1] <= HIGHEST;
+    let stands = |noun: &str| matches!(stand::group(noun), Group::Table | Group::Storage);
+    let wanted = carriers(&noun).iter().find(|on| stands(on) && !plan.is_closed(on) && fits(Plan::size(on)));
+    let Some(carrier) = wanted else { return false };
+    let before = plan.draft.things.len();
+    let line =
+        Line { count: Count::Fixed(1), noun: carrier, place: Place::Wall, least: 0.0, gap: 0.0, by: Default::default() };
+    single(plan, &line, 1, &format!("{} stands on {}", a(&noun), a(carrier)));
+    plan.draft.things.len() > before && carry(plan, at)
 }
 
 /// What was said of the small things before they had a place, for the lack of anything better, is said no more.
@@ -151,10 +169,12 @@ fn places(plan: &Plan, of: usize, own: [f64; 3], noun: &str, count: usize) -> Op
         () if soft => SEAT,
         () => 1.0,
     };
-    let [free_w, free_d] = [w * part - own[0] - 2.0 * EDGE, d * part - own[2] - 2.0 * EDGE];
-    if free_w < 0.0 || free_d < 0.0 {
-        return None;
-    }
+    // What is as wide as a top stands on it without an edge.
+    let free = |whole: f64, own: f64| {
+        let left = whole * part - own;
+        (left >= 0.0).then_some((left - 2.0 * EDGE).max(0.0))
+    };
+    let (free_w, free_d) = (free(w, own[0])?, free(d, own[2])?);
     // Where such things stand on such carriers; else at the back where there is one, beside the middle, which people use.
     let usual = part_of(&carrier.category.replace('_', " "), plan.kind.dress, noun).map(|part| &part.at);
     let (wanted, yaw) = match usual {
