@@ -38,16 +38,16 @@ export class Page {
     };
     this.examples.append(el("option", { value: "" }, "Examples …"), ...examples.map((name) => el("option", { value: name }, name)));
     this.examples.addEventListener("change", () => this.examples.value !== "" && pressed.example(this.examples.value));
-    const form = el("form.describe", {}, this.request, el("button", { type: "submit", id: "describe", title: "Write a program for this room, and lay it out" }, "Write"));
+    const form = el("form.describe", {}, this.request, el("button", { type: "submit", id: "describe", title: "Write a program for this room and solve it" }, "Write"));
     form.addEventListener("submit", (e) => {
       e.preventDefault();
       if (this.request.value.trim() !== "") pressed.describe(this.request.value);
     });
-    this.solve = button("solve", "Solve", "Find a layout from nothing (Ctrl+Enter)", () => pressed.solve());
+    this.solve = button("solve", "Solve", "Find a layout from scratch (Ctrl+Enter)", () => pressed.solve());
     this.stop = button("stop", "Stop", "Stop looking for a layout", () => pressed.stop());
     this.stop.hidden = true;
     this.live = el("input", { id: "live", type: "checkbox", checked: true });
-    const live = el("label.live", { title: "Look for a layout again when the one that is shown does not satisfy the program any more" }, this.live, "as I type");
+    const live = el("label.live", { title: "Find a new layout when the current one no longer satisfies the program" }, this.live, "as I type");
     const downloads = el("select", { id: "download", "aria-label": "Download" }, el("option", { value: "" }, "Download …"));
     for (const [what, text] of Object.entries(DOWNLOADS)) downloads.append(el("option", { value: what }, text));
     downloads.addEventListener("change", () => {
@@ -62,7 +62,7 @@ export class Page {
       this.examples,
       form,
       el("div.group", {}, this.solve, this.stop, live),
-      el("div.group", {}, button("format", "Format", "Format the program", () => pressed.format()), button("share", "Share", "Copy a link that holds the program", () => pressed.share()), downloads),
+      el("div.group", {}, button("format", "Format", "Format the program", () => pressed.format()), button("share", "Share", "Copy a link that contains the program", () => pressed.share()), downloads),
     );
     this.problems.addEventListener("click", (e) => {
       const item = e.target instanceof Element ? e.target.closest("li") : null;

@@ -15,7 +15,7 @@ pub enum Assets {
     Check(AssetsCheck),
     /// Normalise the unit, base and front of the models in a folder, and write them with their cards as a catalogue
     Import(AssetsImport),
-    /// Print the queries of a program in their published form, for which features of models can be computed
+    /// Print the search queries of a program in the published form, as input for computing features
     Queries(AssetsQueries),
     /// Write a web page that shows every family of the furniture library in three sizes, closed and open
     Gallery(AssetsGallery),
@@ -85,7 +85,7 @@ pub struct AssetsQueries {
     /// The programs
     #[arg(value_name = "FILE.scene", required = true)]
     pub files: Vec<PathBuf>,
-    /// The output format; json is the file `queries.json` of features
+    /// The output format; json gives the file `queries.json` for features
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
 }
@@ -107,7 +107,7 @@ pub struct AssetsGallery {
 /// `--format` of `scenelang assets check`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AssetsFormat {
-    /// For people
+    /// Human-readable text
     Human,
     /// One JSON report per line
     Json,

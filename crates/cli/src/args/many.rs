@@ -17,7 +17,7 @@ pub struct Sample {
     /// The random seed; each layout has its own draws of `rand` and `oneOf`
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..1 << 53))]
     pub seed: u64,
-    /// Make only part I of N, counted from 0; all parts together are the same as one run
+    /// Draw only part I of N, counted from 0; all parts together give the same result as a single run
     #[arg(long, value_name = "I/N", default_value = "0/1", value_parser = shard)]
     pub shard: Shard,
     /// How many layouts to work on in parallel; the result does not depend on it [default: the number of cores]
@@ -29,7 +29,7 @@ pub struct Sample {
     /// Also export each sample in these formats, separated by commas, to sample-NUMBER
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::formats::name)]
     pub export: Vec<String>,
-    /// Search N times as long as usual for the first layout
+    /// Search N times as long as usual for the initial layouts
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
     /// Overwrite files that scenelang did not write or that were edited
@@ -65,8 +65,8 @@ pub enum BatchCommand {
 /// `scenelang batch MANIFEST`
 #[derive(ClapArgs, Debug)]
 pub struct BatchRun {
-    /// Jobs, one JSON object per line: {"name": "study", "request": "a study with a desk"}; instead of "request", "program"
-    /// names a file, or "source" contains a program
+    /// Jobs, one JSON object per line: {"name": "study", "request": "a study with a desk"}; instead of "request", use
+    /// "program" for the path of a file, or "source" for the text of a program
     #[arg(value_name = "MANIFEST.jsonl")]
     pub manifest: PathBuf,
     /// The output folder: NAME.scene, NAME.layout.json and NAME.result.json for each line, and a summary

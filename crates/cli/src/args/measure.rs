@@ -45,13 +45,16 @@ pub struct BenchSolve {
 pub enum Eval {
     /// Read requests without a model, and compare the programs with the ground truth: objects, properties, relations, measures
     Requests(EvalRequests),
-    /// Make programs and layouts for the requests of SceneEval-500, or take existing ones, and score them by its annotations
+    /// Make programs and layouts for the requests of SceneEval-500, or use existing ones, and score them against its
+    /// annotations
     Sceneeval(EvalSceneEval),
-    /// Make requests with ground truth by a grammar: a program, a layout, a long request and one sentence for each scene
+    /// Generate requests with ground truth from a grammar: a program, a layout, a long request and a one-sentence
+    /// request for each scene
     Dataset(EvalDataset),
-    /// Measure a suite: how much is read of its requests, and how much of its programs holds after each iteration
+    /// Measure a suite: how much of its requests is understood, and what share of its relations holds after each
+    /// iteration
     Run(EvalRun),
-    /// Make a page of the results of a suite, with plots, beside the published figures
+    /// Write a report on the results of a suite, with plots, next to the published figures
     Report(EvalReport),
 }
 
@@ -61,19 +64,20 @@ pub struct EvalDataset {
     /// How many scenes
     #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub scenes: u64,
-    /// The same seed gives the same dataset
+    /// The random seed; the same seed gives the same dataset
     #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u64).range(..1 << 53))]
     pub seed: u64,
-    /// The folder to write to: dataset.jsonl, statistics.json, and of each scene its request, ground truth, program and layout
+    /// The output folder: dataset.jsonl, statistics.json, and the request, ground truth, program and layout of each
+    /// scene
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
-    /// How many scenes are worked on at once; the result does not depend on it [default: as many as there are cores]
+    /// How many scenes to work on in parallel; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How the statistics are printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
 }
@@ -81,25 +85,27 @@ pub struct EvalDataset {
 /// `scenelang eval run`
 #[derive(ClapArgs, Debug)]
 pub struct EvalRun {
-    /// What is measured: a file of JSON with a name, how many scenes of the dataset, and its seed
+    /// The suite: a JSON file with its name, the number of scenes of the dataset, and the seed
     #[arg(long, value_name = "FILE")]
     pub suite: PathBuf,
-    /// The folder to write to: a file for each scene, and figures.json; what is there already is not measured again
+    /// The output folder: a file for each scene, and figures.json; scenes that already have a result are not measured
+    /// again
     #[arg(short, long, value_name = "FOLDER", default_value = "results")]
     pub output: PathBuf,
-    /// Judge likeness by the vectors of a model instead of letters: lines of JSON, {"text": …, "vector": […]}
+    /// Compute similarity from the vectors of a model instead of from letters; one JSON object per line: {"text": …,
+    /// "vector": […]}
     #[arg(long, value_name = "FILE.jsonl")]
     pub embeddings: Option<PathBuf>,
-    /// Only write the texts that `--embeddings` needs vectors for, as lines of JSON
+    /// Only write the texts for which `--embeddings` needs vectors, one JSON object per line
     #[arg(long, value_name = "FILE.jsonl", conflicts_with = "embeddings")]
     pub texts: Option<PathBuf>,
-    /// How many scenes are measured at once; the figures do not depend on it [default: as many as there are cores]
+    /// How many scenes to measure in parallel; the figures do not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// How the figures are printed
+    /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
     /// Which model is asked directly for layouts
@@ -110,16 +116,16 @@ pub struct EvalRun {
 /// `scenelang eval report`
 #[derive(ClapArgs, Debug)]
 pub struct EvalReport {
-    /// The folder that `scenelang eval run` wrote to
+    /// The output folder of `scenelang eval run`
     #[arg(value_name = "FOLDER", default_value = "results")]
     pub results: PathBuf,
-    /// Write Markdown there, and the plots into images/ beside it; without this and --html the text is printed
+    /// Write a Markdown file, and the plots to images/ beside it; without this option and --html, the text is printed
     #[arg(short, long, value_name = "FILE.md")]
     pub output: Option<PathBuf>,
-    /// Write one page of HTML there, with the plots in it
+    /// Write a single HTML page that contains the plots
     #[arg(long, value_name = "FILE.html")]
     pub html: Option<PathBuf>,
-    /// Replace files that scenelang did not write, or that were edited since
+    /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
 }
@@ -145,7 +151,7 @@ pub struct EvalRequests {
     /// Overwrite files that scenelang did not write or that were edited
     #[arg(long)]
     pub force: bool,
-    /// Show what was missed in this many requests, the worst first
+    /// For this many requests, the worst first, show what was missed
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,
     /// The output format
@@ -177,7 +183,7 @@ pub struct EvalSceneEval {
     /// How many requests to work on in parallel; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Show what was missed in this many requests, those with the most first
+    /// For this many requests, those with the most failures first, show what was missed
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub worst: usize,
     /// The output format

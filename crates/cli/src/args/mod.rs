@@ -36,11 +36,11 @@ pub enum Command {
     Solve(Solve),
     /// Repair a layout with the smallest change: move objects, or relax numbers and constraints
     Repair(Repair),
-    /// Write a program from a request in plain English, with or without a model; every clause is accounted for
+    /// Write a program from a request in plain English, with or without a language model; every clause is accounted for
     Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures and a web page
     Synth(Synth),
-    /// Draw many verified layouts of a program, uniformly, and report how they are spread
+    /// Draw many verified layouts of a program uniformly at random, and report their distribution
     Sample(Sample),
     /// Make a scene for each line of a manifest; finished lines are kept
     Batch(Batch),
@@ -90,7 +90,7 @@ pub enum Command {
     /// Measure how many problems are solved, and how fast
     #[command(subcommand)]
     Bench(Bench),
-    /// Measure how much of a request becomes part of a program
+    /// Evaluate the reader and the solver on requests with ground truth
     #[command(subcommand)]
     Eval(Eval),
 }
@@ -322,7 +322,8 @@ pub struct Search {
     /// Search N times as long as usual before giving up
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
-    /// How much of the work to spend on preferences after all hard constraints hold, in percent; 0 does not optimise them
+    /// The percentage of the usual work to spend on preferences once all hard constraints hold; 0 does not optimise
+    /// them
     #[arg(long, value_name = "PERCENT", default_value_t = scenelang_solve::QUALITY, value_parser = clap::value_parser!(u8).range(0..=100))]
     pub quality: u8,
 }
@@ -389,7 +390,7 @@ pub struct Formalize {
     /// Do not try to furnish the room; faster, but the program may ask for more than fits
     #[arg(long)]
     pub untried: bool,
-    /// The time limit for everything, including the trial whether a layout exists
+    /// The time limit for everything, including the check whether a layout exists
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// Show how each clause of the request was understood
@@ -439,13 +440,13 @@ pub struct Synth {
     /// The render pipeline for the Unity materials
     #[arg(long, value_enum, default_value_t = Pipeline::Builtin)]
     pub pipeline: Pipeline,
-    /// Make this stage and all later ones again, even if nothing has changed
+    /// Rerun this stage and all later ones, even if nothing has changed
     #[arg(long, value_name = "STAGE", value_enum)]
     pub from: Option<Step>,
     /// Stop after this stage
     #[arg(long, value_name = "STAGE", value_enum, default_value_t = Step::Export, hide_default_value = true)]
     pub until: Step,
-    /// Say for each stage and object what is made again, and why
+    /// Print for each stage and object what is rebuilt, and why
     #[arg(long)]
     pub explain_rebuild: bool,
     /// The language model
@@ -463,7 +464,7 @@ pub enum Step {
     Program,
     /// Every object gets a size and its parts
     Assets,
-    /// Every object gets a place
+    /// Every object gets a position
     Layout,
     /// The exported files are written
     Export,
@@ -511,7 +512,7 @@ pub struct Export {
     /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
-    /// Say for each format whether it is made again, and why
+    /// Print for each format whether it is rebuilt, and why
     #[arg(long)]
     pub explain_rebuild: bool,
 }
@@ -558,7 +559,8 @@ pub struct Formats {
     /// Give the GLB file rigid bodies: colliders, masses, and joints with limits (the draft extension KHR_physics_rigid_bodies)
     #[arg(long)]
     pub gltf_physics: bool,
-    /// The version of Unity that the Unity project is for [default: that of the project in the output folder, else 2022.3]
+    /// The version of Unity for which the project is written [default: that of the project in the output folder, else
+    /// 2022.3]
     #[arg(long, value_enum, value_name = "VERSION")]
     pub unity: Option<UnityVersion>,
 }
@@ -727,7 +729,7 @@ pub struct Lsp {
     /// Replay the client of a recorded session instead of reading standard input
     #[arg(long, value_name = "FILE")]
     pub replay: Option<PathBuf>,
-    /// Ignored; for editors that pass it. The server always uses standard input and output
+    /// Ignored; accepted because some editors pass it. The server always uses standard input and output
     #[arg(long, hide = true)]
     pub stdio: bool,
 }
