@@ -4,7 +4,7 @@ use super::build::Root;
 use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::inventory::{TEAM, counter_length};
+use super::inventory::{TEAM, counter_length, opposite_of};
 use super::kinds::{self, Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
@@ -21,6 +21,8 @@ const APART: f64 = 0.8;
 /// What stands or leads along a wall.
 const PARKED: [&str; 9] =
     ["staircase", "stairs", "stairway", "bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
+/// What stands in a corner and is higher is in the way everywhere else (metres).
+const TALL: f64 = 1.8;
 /// So many of what stands free stand in a row.
 const SEVERAL: usize = 3;
 /// So many of what nobody uses stand in corners.
@@ -159,18 +161,26 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
     let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == Place::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
-    let is_parked = PARKED.iter().any(|end| noun.ends_with(end));
+    let is_parked = is_parked(&noun);
     if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
     let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
-    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside };
+    // What is watched stands across from where one sits.
+    let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));
+    let looks_at = watched.and_then(|line| opposite_of(plan, line)).and_then(|name| plan.place_in_room(&name));
+    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside, looks_at };
     // A mat has a place of its own, on which nothing stands.
     let is_mat = stand::group(&noun) == Group::Flat && noun.ends_with("mat") && !plan.is_placed(thing);
     if !(plan.ground.is_some() && (is_on_floor || is_mat) && place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// Whether a thing is parked along a wall. An exercise bike is not.
+fn is_parked(noun: &str) -> bool {
+    noun == "bike" || PARKED.iter().any(|end| noun.ends_with(end))
 }
 
 /// Whether visitors sit across from who works there.
@@ -194,6 +204,8 @@ struct Like {
     in_run: bool,
     /// In a corner, or at least at a wall.
     aside: bool,
+    /// Across from what stands here.
+    looks_at: Option<Pose>,
 }
 
 /// Says that a thing stands at a wall, which is only preferred where the request places it.
@@ -237,8 +249,8 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         noun: &noun,
         size,
         windows: &windows,
-        looks_at: if fire { watched_from(plan).or_else(between) } else { None },
-        strictly: false,
+        looks_at: like.looks_at.or_else(|| watched_from(plan).or_else(between).filter(|_| fire)),
+        strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
         near: None,
         beds: &[],
@@ -252,7 +264,7 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         false => &[0.0],
     };
     let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));
-    let is_parked = PARKED.iter().any(|end| noun.ends_with(end));
+    let is_parked = is_parked(&noun);
     let around = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
@@ -278,7 +290,10 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
                     choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
                 }
                 _ if is_parked => choice.along_wall(floor, shape, before),
-                Like { at_wall: true, .. } if it.count <= 8 => choice.wall(floor, shape, before),
+                Like { at_wall: true, .. } if it.count <= 8 => {
+                    let aside = Choice { strictly: false, ..*choice };
+                    choice.wall(floor, shape, before).or_else(|| aside.wall(floor, shape, before))
+                }
                 _ => free(choice, floor, shape, before, (it.count, yaws), &row),
             })
         }
@@ -306,6 +321,13 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     }
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: around, whole: false, seek: &seek };
     let placed = plan.place_asked(thing, &root);
+    // Not in mid-room, should the search move it.
+    if placed && like.aside && it.count == 1 && it.size.is_some_and(|s| s[1] > TALL) {
+        plan.say(
+            format!("prefer inCorner({}, {});", it.name, plan.room_name()),
+            "it usually stands there in such a room",
+        );
+    }
     // Several tables that stand where there is a gap want a larger room.
     let is_scattered = it.count > 1
         && row.borrow().is_empty()

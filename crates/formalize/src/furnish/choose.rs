@@ -51,6 +51,9 @@ const ALONG_WALL: f64 = 0.05;
 const AWAY_FROM_WINDOW: f64 = 6.0;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
+/// A stand with a screen, across from a sofa, and what a place for a sofa without one costs.
+const SCREEN: [f64; 3] = [1.4, 0.6, 0.4];
+const NO_SCREEN: f64 = 1.2;
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
 /// What stands beside the door.
@@ -135,6 +138,12 @@ impl Choice<'_> {
             // Across from it there is room for a screen, and no window behind that.
             let dazzled = self.windows.contains(&wall.across());
             cost += along.abs() / length * 0.5 + if dazzled { 0.8 } else { 0.0 };
+            let there = wall.across().place(floor.size, 0.0, SCREEN[2] / 2.0 + seek::BEHIND);
+            let there = match wall {
+                Wall::Back | Wall::Front => Pose { x: pose.x, ..there },
+                Wall::Left | Wall::Right => Pose { z: pose.z, ..there },
+            };
+            cost += if self.looks_at.is_none() && !floor.has_room(&there, SCREEN) { NO_SCREEN } else { 0.0 };
             let deep = if matches!(wall, Wall::Back | Wall::Front) { floor.size[2] } else { floor.size[0] };
             cost += (3.6 - deep).max(0.0) + (deep - 4.6).max(0.0) * 0.6;
         } else if self.looks_at.is_none() {

@@ -14,6 +14,8 @@ use crate::names::words;
 
 /// Groups of groups: so deep.
 const DEEP: usize = 2;
+/// What is lower lies flat, and things stand on it (metres).
+const FLAT: f64 = 0.05;
 /// Between a desk and those who visit, and between it and a second chair beside it (metres).
 const VISITOR: f64 = 0.4;
 /// Before an L-shaped desk or sofa, for what is said to look at it (metres).
@@ -51,8 +53,19 @@ impl Plan<'_> {
         {
             return false;
         }
-        let it = self.draft.things[asked].clone();
-        let (Some(of), Some(own)) = (anchor.size, it.size) else { return false };
+        let mut it = self.draft.things[asked].clone();
+        let (Some(of), Some(mut own)) = (anchor.size, it.size) else { return false };
+        if matches!(part.at, Where::Under(..)) {
+            // A rug of which no size is said is as large as what is on it asks for.
+            let usual = Self::size(part.noun);
+            let size = if [own[0], own[2]] == [usual[0], usual[2]] { self.fitted(thing, part, of).0 } else { own };
+            if !self.has_room_for_rug(size) {
+                return false;
+            }
+            own = size;
+            it.size = Some(size);
+            self.draft.things[asked].size = it.size;
+        }
         let each = it.count / anchor.count;
         if each == 0 || each * anchor.count != it.count {
             return false;
@@ -71,7 +84,7 @@ impl Plan<'_> {
         let mut places: Vec<Slot> = wheres(part, each, wall)
             .iter()
             .flat_map(|at| slots(at, &Sizes { of, own, round }, &[]))
-            .filter(|slot| !taken.iter().any(|other| Taken::by(slot, foot).meets(other)))
+            .filter(|slot| own[1] < FLAT || !taken.iter().any(|other| Taken::by(slot, foot).meets(other)))
             .collect();
         // What is left as one looks at its front is at its own right.
         let seen_left = ["[0]", ""].map(|index| format!("seenLeftOf({}{index}, ", it.name));
@@ -87,7 +100,9 @@ impl Plan<'_> {
         if let Some(group) = &mut self.building {
             group.add(thing, asked, &places, (part.noun, own, &part.at), height);
         }
-        taken.extend(places.iter().map(|slot| Taken::by(slot, foot)));
+        if own[1] >= FLAT {
+            taken.extend(places.iter().map(|slot| Taken::by(slot, foot)));
+        }
         self.claimed.push(asked);
         if matches!(part.at, Where::Enclose(..)) {
             self.fenced(&anchor.name, &it.name);
@@ -131,7 +146,7 @@ impl Plan<'_> {
             && (matches!(it.source, Source::Stated(_)) || for_people(&it.source) || encloses(&it.source))
             && !self.claimed.contains(&at)
             && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
-            && (stand::on_floor(self.draft, it) || stand::group(&it.category) == Group::Screen)
+            && (stand::on_floor(self.draft, it) || matches!(stand::group(&it.category), Group::Screen | Group::Flat))
             && !is_drawn_up(self.draft, &it.name)
             && !stand::placed_without(self.draft, &it.name, anchor)
     }
@@ -274,10 +289,10 @@ fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
 
 /// Whether a part stands on the floor beside what it goes with, or is a television on its stand.
 fn is_claimed(part: &Part) -> bool {
-    use Where::{Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top};
+    use Where::{Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top, Under};
     match part.at {
         Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | RowBehind(..) => true,
-        Around(..) | LongSides(..) => true,
+        Around(..) | LongSides(..) | Under(..) => true,
         Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
         _ => false,
     }

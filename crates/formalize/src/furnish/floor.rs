@@ -244,6 +244,12 @@ impl Floor {
             })
     }
 
+    /// Whether nothing stands at a place or is used from there.
+    pub fn has_room(&self, at: &Pose, size: [f64; 3]) -> bool {
+        let block = Block::of(at, size);
+        self.inside(&block) && !self.bodies.iter().chain(&self.free).any(|other| other.meets(&block))
+    }
+
     /// Takes it.
     pub fn take(&mut self, shape: &Shape, at: &Pose) {
         for piece in shape.pieces.iter().filter(|piece| !piece.flat) {

@@ -131,6 +131,15 @@ pub(super) fn counter_length(plan: &Plan, line: &Line) -> f64 {
     if is_counter { (length * 10.0).round() / 10.0 } else { 0.0 }
 }
 
+/// How wide the stand of a television is that is asked for and large.
+fn under_screen(plan: &Plan, line: &Line) -> f64 {
+    const BESIDE: f64 = 0.1;
+    let asked =
+        plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1 && line.noun == "tv stand");
+    let screens = asked.filter(|t| stand::counts_as("tv", &t.category.replace('_', " ")));
+    screens.filter_map(|t| t.size).map(|size| size[0] + BESIDE).fold(0.0, f64::max)
+}
+
 /// The size of a thing; a table is as long as the people need who sit at it.
 pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     let mut size = Plan::size(noun);
@@ -196,7 +205,7 @@ fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
 /// Things at walls, in corners, in the middle.
 pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     let mut size = size_for_people(plan, line.noun, n);
-    size[0] = size[0].max(counter_length(plan, line));
+    size[0] = size[0].max(counter_length(plan, line)).max(under_screen(plan, line));
     size = as_seen(plan, line, size);
     // A worktop is as long as what stands beside it leaves room for, a table as its chairs do.
     let shorter = SHORTER.iter().filter(|(noun, _)| *noun == line.noun).flat_map(|(_, widths)| *widths);

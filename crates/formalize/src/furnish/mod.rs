@@ -102,6 +102,7 @@ fn ward([wide, one, two]: [f64; 3], beds: usize) -> [f64; 2] {
 pub fn refine(brief: &mut Brief) {
     whom::persons(brief);
     whom::children(brief);
+    whom::pupils(brief);
     named(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);

@@ -87,13 +87,17 @@ fn is_wall_of(plan: &Plan, at: usize) -> bool {
     thing.count >= WALL && stand::is_unit(&thing.category.replace('_', " "), thing.count)
 }
 
-/// Whether something at which people sit leaves the walls to what stands there: the table of a kitchen to its cupboards, that
-/// of an office to the desks.
+/// Whether something at which people sit leaves the walls to what stands there, the table of a kitchen to its cupboards, that
+/// of an office to the desks; or whether it is watched from a seat, which has its place before.
 fn is_later(plan: &Plan, at: usize) -> bool {
     let first = plan.kind.lines.first();
     let at_walls = first.is_some_and(|line| matches!(line.place, Place::Wall | Place::Run));
     let at_desks = first.is_some_and(|line| {
         matches!(line.count, Count::People(_)) && line.noun.ends_with("desk") && plan.people.is_some_and(|n| n >= TEAM)
     });
-    (at_walls || at_desks) && has_seats(plan, &plan.draft.things[at].category.replace('_', " "))
+    let noun = plan.draft.things[at].category.replace('_', " ");
+    let is_watched = plan.kind.lines.iter().any(|line| {
+        matches!(line.place, Place::Opposite(_)) && stand::counts_as(line.noun, &noun) && !plan.is_placed(at)
+    });
+    is_watched || (at_walls || at_desks) && has_seats(plan, &noun)
 }

@@ -351,9 +351,7 @@ impl<'a> Plan<'a> {
             .collect();
         let each = places.len();
         let stands = places.iter().any(|slot| slot.level == Level::Floor) && own[1] > 0.05;
-        let [w, _, d] = self.draft.rooms[self.room].size;
-        let rug_fits = own[0].min(own[2]) < w.min(d) - 0.4 && own[0].max(own[2]) < w.max(d) - 0.4;
-        if each == 0 || !rug_fits || stands && !self.has_room(own, each * anchors, false) {
+        if each == 0 || !self.has_room_for_rug(own) || stands && !self.has_room(own, each * anchors, false) {
             // A table without its seats wants a larger room.
             if each > 0
                 && seat
@@ -382,7 +380,7 @@ impl<'a> Plan<'a> {
     }
 
     /// How large a part is beside a thing of a size, and where it stands: seats as many as the people need who sit there.
-    fn fitted(&self, thing: usize, part: &Part, of: [f64; 3]) -> ([f64; 3], Where) {
+    pub(super) fn fitted(&self, thing: usize, part: &Part, of: [f64; 3]) -> ([f64; 3], Where) {
         let it = &self.draft.things[thing];
         let round = stand::round(&it.category, &it.look.features);
         let mut own = part.size.unwrap_or_else(|| Self::size(part.noun));
@@ -404,6 +402,12 @@ impl<'a> Plan<'a> {
             _ => {}
         }
         (own, at)
+    }
+
+    /// Whether something of a size leaves the edges of the floor bare.
+    pub(super) fn has_room_for_rug(&self, [own_w, _, own_d]: [f64; 3]) -> bool {
+        let [w, _, d] = self.draft.rooms[self.room].size;
+        own_w.min(own_d) < w.min(d) - 0.4 && own_w.max(own_d) < w.max(d) - 0.4
     }
 
     /// Whether a rug lies under a thing: one in each room, and none on tiles. A table whose place is asked for does not keep
@@ -457,7 +461,10 @@ impl<'a> Plan<'a> {
                 n => (0..n).map(|i| format!("{}[{i}]", part.name)).collect(),
             };
             for name in names {
-                self.say(format!("allowCollide({name}, objects);"), "objects may stand on it");
+                let text = format!("allowCollide({name}, objects);");
+                if !self.draft.statements.iter().any(|s| s.text == text) {
+                    self.say(text, "objects may stand on it");
+                }
             }
         }
     }

@@ -69,8 +69,14 @@ pub fn carry_on_new(plan: &mut Plan, at: usize) -> bool {
     let wanted = carriers(&noun).iter().find(|on| stands(on) && !plan.is_closed(on) && fits(Plan::size(on)));
     let Some(carrier) = wanted else { return false };
     let before = plan.draft.things.len();
-    let line =
-        Line { count: Count::Fixed(1), noun: carrier, place: Place::Wall, least: 0.0, gap: 0.0, by: Default::default() };
+    let line = Line {
+        count: Count::Fixed(1),
+        noun: carrier,
+        place: Place::Wall,
+        least: 0.0,
+        gap: 0.0,
+        by: Default::default(),
+    };
     single(plan, &line, 1, &format!("{} stands on {}", a(&noun), a(carrier)));
     plan.draft.things.len() > before && carry(plan, at)
 }

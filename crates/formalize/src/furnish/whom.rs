@@ -57,6 +57,19 @@ pub fn persons(brief: &mut Brief) {
     }
 }
 
+/// A laboratory with a desk for a teacher is one of a school.
+pub fn pupils(brief: &mut Brief) {
+    let taught = |at: usize| {
+        brief
+            .things
+            .iter()
+            .any(|thing| thing.room == at && thing.name().ends_with("desk") && thing.name().starts_with("teacher"))
+    };
+    let is_lab = |at: &usize| kinds::of(&brief.rooms[*at].name).is_some_and(|kind| kind.name == "laboratory");
+    let labs: Vec<usize> = (0..brief.rooms.len()).filter(is_lab).filter(|at| taught(*at)).collect();
+    labs.into_iter().for_each(|at| "school lab".clone_into(&mut brief.rooms[at].name));
+}
+
 /// A bedroom for several children has a bed for each: "a bedroom for two teenage sisters".
 pub fn children(brief: &mut Brief) {
     let has_bed = brief.things.iter().any(|thing| thing.group == Group::Bed);

@@ -30,12 +30,13 @@ pub(super) fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A garage for two cars with a workbench": the garage has the workbench.
+/// "A garage for two cars with a workbench", "for a car with bikes": the garage has the workbench.
 pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
-    const VEHICLES: [&str; 8] =
-        ["cars", "vans", "trucks", "bikes", "bicycles", "motorcycles", "motorbikes", "vehicles"];
-    let are_some = VEHICLES.contains(&word(tokens, i + 2)) && word(tokens, i + 3) == "with";
-    if word(tokens, i) != "for" || !are_some || number::count(&tokens[i + 1..]).is_none() {
+    const VEHICLES: [&str; 8] = ["car", "van", "truck", "bike", "bicycle", "motorcycle", "motorbike", "vehicle"];
+    let vehicle = word(tokens, i + 2);
+    let are_some = VEHICLES.contains(&vehicle.strip_suffix('s').unwrap_or(vehicle)) && word(tokens, i + 3) == "with";
+    let is_counted = || matches!(word(tokens, i + 1), "a" | "one") || number::count(&tokens[i + 1..]).is_some();
+    if word(tokens, i) != "for" || !are_some || !is_counted() {
         return false;
     }
     put(tokens, i, i + 1, &["with"]);
