@@ -349,7 +349,13 @@ impl<'a> MoveFinder<'a> {
         self.stage.set(steps);
         let asked: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
         let asked = if asked.is_empty() { goals } else { &asked };
-        let directed = self.stage.is_about_direction(asked, *object);
+        // Of a conjunction what fails counts: a chair before its desk that looks away is to be turned.
+        let mut wanting: Vec<Goal> = Vec::new();
+        for goal in asked {
+            let parts = self.stage.failing_parts(*goal);
+            wanting.extend(if parts.is_empty() { vec![*goal] } else { parts });
+        }
+        let directed = self.stage.is_about_direction(&wanting, *object);
         let Some(search) = Search::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
             return Vec::new();
         };

@@ -70,11 +70,10 @@ impl Choice<'_> {
     /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter.
     pub(super) fn is_misplaced(&self, pose: &Pose) -> bool {
         let own = || Block::of(&Pose { y: 0.0, ..*pose }, self.size);
-        stand::for_guests(self.noun)
-            && self.staffed.is_some_and(|staff| match staff {
-                Staff::Beyond(z) => own().high[2] > z + 0.1,
-                Staff::Around(block) => own().meets(&block),
-            })
+        self.staffed.is_some_and(|staff| match staff {
+            Staff::Beyond(z) => own().high[2] > z + 0.1,
+            Staff::Around(block) => own().meets(&block),
+        }) && stand::for_guests(self.noun)
     }
 
     /// Whether one of several that stand in a row would be misplaced.

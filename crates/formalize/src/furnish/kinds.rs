@@ -2,6 +2,7 @@
 //! light and inventory. A test reads every line.
 
 use crate::read::lexicon::{plural, singular};
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// How many of a thing a room has.
@@ -143,10 +144,20 @@ pub fn all() -> &'static [Kind] {
 /// The kind whose name ends a room's name: "a small meeting room" is a meeting room.
 pub fn of(room: &str) -> Option<&'static Kind> {
     let words: Vec<String> = room.split_whitespace().map(one).collect();
-    (0..words.len()).find_map(|from| {
-        let tail = words[from..].join(" ");
-        let same = |name: &str| name.split(' ').map(one).collect::<Vec<_>>().join(" ") == tail;
-        all().iter().find(|kind| same(kind.name) || kind.also.iter().any(|name| same(name)))
+    (0..words.len()).find_map(|from| by_name().get(&words[from..].join(" ")).copied())
+}
+
+/// All kinds by their names in the singular; of two kinds with the same name the first.
+fn by_name() -> &'static HashMap<String, &'static Kind> {
+    static NAMES: OnceLock<HashMap<String, &'static Kind>> = OnceLock::new();
+    NAMES.get_or_init(|| {
+        let mut names = HashMap::new();
+        for kind in all() {
+            for name in kind.also.iter().chain([&kind.name]) {
+                names.entry(name.split(' ').map(one).collect::<Vec<_>>().join(" ")).or_insert(kind);
+            }
+        }
+        names
     })
 }
 

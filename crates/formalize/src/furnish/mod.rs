@@ -187,6 +187,10 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| is_group) {
         return Some(people.div_ceil(GROUP).max(2));
     }
+    // Two sleep in a bunk bed, and those of two children are one.
+    if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| plural && thing.name() == "bunk bed") {
+        return Some(people.div_ceil(2));
+    }
     let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()));
     let least = (many && thing.part.is_none()).then_some(MANY);
     let usual = own.and_then(|line| usual_number(brief, at, kind, line, plural));

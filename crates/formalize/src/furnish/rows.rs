@@ -251,7 +251,7 @@ fn turned(
 /// So many tables in a single line look like a classroom.
 const SINGLE: usize = 5;
 /// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
-const AISLES: [f64; 2] = [1.85, 1.2];
+const AISLES: [f64; 3] = [2.4, 1.85, 1.2];
 /// Behind a gate so much is free of racks, and so much of shelves where one pays (metres).
 const BEFORE_GATE: f64 = 2.2;
 const BEFORE_TILLS: f64 = 3.2;
@@ -384,7 +384,12 @@ fn cells(
     let n = n.div_ceil(each);
     let flat = size[1] < 0.05;
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
-    let aisle_of_racks = AISLES[usize::from(size[0] < 2.0)];
+    let [wide, usual, narrowest] = AISLES;
+    let aisle_of_racks = match size[0] {
+        _ if noun.ends_with("pallet rack") => wide,
+        width if width < 2.0 => narrowest,
+        _ => usual,
+    };
     let table = stand::group(noun) == crate::brief::Group::Table;
     let side = if rack { 1.0 } else { beside(table && (back - front).abs() < 0.1) };
     let ahead = match toward {
@@ -402,7 +407,7 @@ fn cells(
     let seat = stand::group(noun) == crate::brief::Group::Seat;
     let alone = seat && cell_w < 1.0 && (cell_d - size[2]).abs() < 0.02;
     let ways = match (rack, table) {
-        (true, _) => vec![(0.02, aisle_of_racks), (0.02, AISLES[1])],
+        (true, _) => AISLES.iter().filter(|aisle| **aisle <= aisle_of_racks).map(|aisle| (0.02, *aisle)).collect(),
         _ if each == 2 => PAIRS.to_vec(),
         _ if is_exhibited(noun) => vec![BETWEEN_EXHIBITS],
         (_, true) => vec![(TABLES, TABLES), narrow],

@@ -221,6 +221,11 @@ pub fn is_aside(category: &str) -> bool {
 /// How much floor all around a thing is free for those who walk round it, as at a pool table; `None`: none is kept free.
 pub fn played_at(category: &str) -> Option<f64> {
     const PLAYED: f64 = 1.0;
+    // Who treats somebody works from all sides.
+    const TREATED: f64 = 0.7;
+    if ["massage table", "operating table"].iter().any(|end| category.replace('_', " ").ends_with(end)) {
+        return Some(TREATED);
+    }
     let noun = nouns::ending(category)?;
     (noun.stands == Stands::Floor && noun.access > PLAYED).then_some(noun.access)
 }

@@ -764,6 +764,7 @@ fn hint(wanted: Ty, found: Ty) -> Option<&'static str> {
         (Ty::Rotation, Ty::Degree | Ty::Number | Ty::Literal) => {
             "write `rot(0, …, 0)` for a rotation about the vertical axis"
         }
+        (Ty::Rotation, Ty::Vector3) => "write `rot(x, y, z)`: the rotation about each axis, in degrees",
         (Ty::Color | Ty::Material | Ty::String, Ty::Object) => "text is written in double quotes",
         _ => return None,
     })

@@ -182,7 +182,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
                 let names = table.iter().filter(|p| p.assignable).map(|p| p.name);
                 let message = format!("{owner} has no property `{}` that can be assigned", prop.text);
                 let mut d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
-                match nearest(&prop.text, names.clone()) {
+                match nearest(&prop.text, names.clone()).or_else(|| synonym(owner, &prop.text)) {
                     Some(near) => {
                         d = d.label(format!("did you mean `{near}`?")).fix(
                             Applicability::Unsafe,
@@ -216,6 +216,17 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
     {
         checker.error(codes::E0301, call.range, "a polygon can only be assigned to the `vertices` of a region");
     }
+}
+
+/// The assignable property that other languages call by this name.
+fn synonym(owner: Ty, name: &str) -> Option<&'static str> {
+    Some(match (owner, name) {
+        (Ty::Region, "dimensions" | "size" | "extent" | "extents") => "scale",
+        (Ty::Object, "size" | "extent" | "extents") => "dimensions",
+        (_, "position" | "location" | "translation") => "pos",
+        (_, "rotation" | "orientation" | "yaw") => "rot",
+        _ => return None,
+    })
 }
 
 /// What to write instead of an assignment of `target` that cannot be.
