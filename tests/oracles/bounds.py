@@ -7,6 +7,7 @@ description, and gives the points of each object in the frame of the layout (lef
 among the formats that draw (GLB, Unity, USD, OBJ, SDF), the solid among those that collide, and with the layout.
 Prints one JSON object. Exit 0: all agree to 0.1 mm; 1: some do not; 2: a file cannot be read.
 """
+import copy
 import glob
 import json
 import math
@@ -131,21 +132,34 @@ def obj_points(path):
     return {name: np.array(points) for name, points in found.items()}
 
 
-def read_unity(folder):
-    files = {}
-    for at, _, names in os.walk(folder):
-        for name in names:
-            if name.endswith(".obj.meta"):
-                text = open(os.path.join(at, name), encoding="utf-8").read()
-                files[re.search(r"^guid: (\w+)", text, re.M).group(1)] = os.path.join(at, name[: -len(".meta")])
-    scenes = os.path.join(folder, "Assets/Scenes")
-    scene = next(os.path.join(scenes, n) for n in os.listdir(scenes) if n.endswith(".unity"))
-    parts = re.split(r"^--- !u!\d+ &(-?\d+).*$", open(scene, encoding="utf-8").read(), flags=re.M)
+def unity_documents(path):
+    """Kind and fields of the documents of a file, by anchor; those that only stand for another are left out."""
+    parts = re.split(r"^--- !u!\d+ &(-?\d+)(.*)$", open(path, encoding="utf-8").read(), flags=re.M)
     documents = {}
-    for anchor, text in zip(parts[1::2], parts[2::2]):
-        if text.strip().split(":")[0] in ("GameObject", "Transform", "MeshFilter", "MonoBehaviour"):
+    for anchor, stripped, text in zip(parts[1::3], parts[2::3], parts[3::3]):
+        kinds = ("GameObject", "Transform", "MeshFilter", "MonoBehaviour", "PrefabInstance")
+        if not stripped and text.strip().split(":")[0] in kinds:
             (kind, fields), = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)).items()
             documents[int(anchor)] = (kind, fields)
+    return documents
+
+
+def instantiated(prefab, instance):
+    """The documents of a prefab with the changes of an instance; what is in lists is not needed."""
+    documents = copy.deepcopy(prefab)
+    for change in instance["m_Modification"]["m_Modifications"]:
+        *keys, last = change["propertyPath"].split(".")
+        if "Array" in keys or change["target"]["fileID"] not in documents:
+            continue
+        fields = documents[change["target"]["fileID"]][1]
+        for key in keys:
+            fields = fields[key]
+        fields[last] = change["value"]
+    return documents
+
+
+def unity_objects(documents, files):
+    """The points of each object among some documents."""
 
     def components(owner):
         return {documents[c["component"]["fileID"]][0]: documents[c["component"]["fileID"]][1]
@@ -163,11 +177,29 @@ def read_unity(folder):
         matrix = quaternion(*(place["m_LocalRotation"][k] for k in "xyzw"))
         return [p @ matrix.T + [place["m_LocalPosition"][k] for k in "xyz"] for p in points]
 
-    found = {}
     for kind, fields in documents.values():
         if kind == "MonoBehaviour" and "boundsMin" in fields:
             owner = documents[fields["m_GameObject"]["fileID"]][1]
-            found[str(fields["id"])] = np.concatenate(drawn(owner))
+            yield str(fields["id"]), np.concatenate(drawn(owner))
+
+
+def read_unity(folder):
+    files, prefabs = {}, {}
+    for at, _, names in os.walk(folder):
+        for name in names:
+            if name.endswith((".obj.meta", ".prefab.meta")):
+                text = open(os.path.join(at, name), encoding="utf-8").read()
+                files[re.search(r"^guid: (\w+)", text, re.M).group(1)] = os.path.join(at, name[: -len(".meta")])
+    scenes = os.path.join(folder, "Assets/Scenes")
+    scene = next(os.path.join(scenes, n) for n in os.listdir(scenes) if n.endswith(".unity"))
+    documents = unity_documents(scene)
+    found = dict(unity_objects(documents, files))
+    for kind, fields in documents.values():
+        if kind == "PrefabInstance":
+            guid = fields["m_SourcePrefab"]["guid"]
+            if guid not in prefabs:
+                prefabs[guid] = unity_documents(files[guid])
+            found.update(unity_objects(instantiated(prefabs[guid], fields), files))
     return found
 
 

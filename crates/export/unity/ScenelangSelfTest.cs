@@ -56,6 +56,8 @@ namespace Scenelang
                 joints.AddRange(root.GetComponentsInChildren<ScenelangJoint>());
                 foreach (ScenelangObject item in root.GetComponentsInChildren<ScenelangObject>(true))
                 {
+                    // One of the prefabs that somebody has put there: the layout does not have it.
+                    if (string.IsNullOrEmpty(item.id)) continue;
                     objects++;
                     string wrong = Fault(item);
                     if (wrong == null) continue;

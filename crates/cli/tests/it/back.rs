@@ -78,7 +78,19 @@ impl Room {
             });
         }
         let path = self.at("out/unity/Assets/Scenes/room.unity");
-        let text = fs::read_to_string(&path).unwrap();
+        let mut text = fs::read_to_string(&path).unwrap();
+        let named = |quote: &str| format!("propertyPath: m_Name\n      value: {quote}{name}{quote}\n");
+        if let Some(at) = text.find(&named("")).or_else(|| text.find(&named("\""))) {
+            // An instance of a prefab: its place is a change for each axis.
+            let begin = text[..at].rfind("--- !u!1001 ").unwrap();
+            for (axis, value) in [("x", x), ("y", y), ("z", z)] {
+                let change = format!("propertyPath: m_LocalPosition.{axis}\n      value: ");
+                let from = begin + text[begin..].find(&change).unwrap() + change.len();
+                let to = from + text[from..].find('\n').unwrap();
+                text.replace_range(from..to, &value.to_string());
+            }
+            return fs::write(&path, text).unwrap();
+        }
         let at = text.find(&format!("m_Name: {name}\n")).unwrap();
         let begin = at + text[at..].find("m_LocalPosition:").unwrap();
         let end = begin + text[begin..].find('\n').unwrap();
@@ -303,6 +315,36 @@ fn what_is_not_written_over_is_in_nobodys_way() {
         let ended = room.run(&SYNTH, &[more], 2);
         assert!(ended.stderr.contains("report.json was edited since scenelang wrote it"), "{ended:?}");
     }
+}
+
+/// Two stools that are instances of one prefab.
+const STOOLS: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(4, 2.6, 4);\n\
+    object stool[2];\nstool.category <- \"stool\";\nassert inside(stool[0], room) and inside(stool[1], room);\n";
+
+#[test]
+fn an_edited_instance_of_a_prefab_is_an_edited_object() {
+    let put = [1.25, 0.0, -1.25];
+    let room = Room::of(STOOLS, &SYNTH);
+    let scene = fs::read_to_string(room.at("out/unity/Assets/Scenes/room.unity")).unwrap();
+    assert_eq!(scene.matches("--- !u!1001 ").count(), 2);
+    room.run(&["check", "out/unity"], &[], 0);
+    let other = read_json(&room.at("out/room.layout.json"))["objects"]["stool[0]"].clone();
+    room.put("unity", "stool[1]", put);
+    let ended = room.run(&["check", "out/unity"], &[], 0);
+    assert!(ended.stdout.contains("`stool[1]` was moved by") && !ended.stdout.contains("`stool[0]` was"), "{ended:?}");
+    let ended = room.run(&["query", "out/unity", "--object", "stool[1]", "--format", "json"], &[], 0);
+    let pose = &fits("query", &ended.stdout)["objects"][0]["pose"];
+    assert!((0..3).all(|k| (pose["pos"][k].as_f64().unwrap() - put[k]).abs() < 1e-5), "{pose:#}");
+    room.run(&["import", "out/unity", "-o", "in"], &[], 0);
+    assert!(room.stands("in/room.layout.json", "stool[1]", put));
+    let edited = room.files();
+    let ended = room.run(&SYNTH, &[], 2);
+    assert!(ended.stderr.contains("`stool[1]` was moved by"), "{ended:?}");
+    assert!(room.files() == edited);
+    room.run(&SYNTH, &["--take"], 0);
+    assert!(room.stands("out/room.layout.json", "stool[1]", put));
+    assert_eq!(read_json(&room.at("out/room.layout.json"))["objects"]["stool[0]"], other);
+    room.agrees("out/room.layout.json");
 }
 
 #[test]

@@ -168,6 +168,66 @@ fn a_second_run_touches_nothing() {
     );
 }
 
+/// Six stools in a row, each of its own colour.
+fn stools(colors: [&str; 6]) -> String {
+    let mut text = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- vec3(8, 2.6, 4);\nobject stool[6];\n\
+        stool.category <- \"stool\";\nassert forall s in stool: inside(s, room);\n"
+        .to_owned();
+    for (i, color) in colors.iter().enumerate() {
+        text += &format!("stool[{i}].pos <- vec3({}, 0, 0);\nstool[{i}].color <- \"{color}\";\n", i as i32 - 2);
+    }
+    text
+}
+
+#[test]
+fn one_of_six_equal_objects_is_painted_and_the_prefab_of_the_others_is_not_touched() {
+    let folder = Folder::made(&stools(["white"; 6]), &[]);
+    let before = folder.files();
+    let of = |files: &Files, what: &str| -> Vec<String> {
+        files.keys().filter(|name| name.contains(what) && !name.ends_with(".meta")).cloned().collect()
+    };
+    assert_eq!(of(&before, "/Prefabs/").len(), 1, "{:?}", of(&before, "/Prefabs/"));
+    let mut colors = ["white"; 6];
+    colors[2] = "navy";
+    folder.program(&stools(colors));
+    let told = folder.told(&[]);
+    let after = folder.files();
+    assert_eq!(told["assets"]["made"], json!({ "stool[2]": ["color was \"white\", is \"navy\""] }));
+    assert_eq!(told["removed"], json!([]));
+    let is_own = |name: &String| {
+        ["room.glb", "room.scene", "unity/Assets/Scenelang/spec.scene.txt", "unity/Assets/Scenes/room.unity"]
+            .contains(&name.as_str())
+            || name.contains("/Meshes/Objects/stool_2.")
+            || name.contains("/Materials/")
+    };
+    let touched = touched(&before, &after);
+    assert!(touched.iter().all(is_own), "{touched:?}");
+    assert_eq!(
+        touched.iter().filter(|name| name.contains("/Materials/")).count(),
+        2,
+        "a material and its .meta: {touched:?}"
+    );
+    has_no_orphans(&after);
+    // Two more of it are another prefab; with all of them the first one goes.
+    colors[4] = "navy";
+    folder.program(&stools(colors));
+    folder.synth(&[]);
+    let two = folder.files();
+    assert_eq!((of(&two, "/Prefabs/").len(), of(&two, "/Objects/stool_").len()), (2, 0));
+    has_no_orphans(&two);
+    folder.program(&stools(["navy"; 6]));
+    folder.synth(&[]);
+    let all = folder.files();
+    assert_eq!(of(&all, "/Prefabs/").len(), 1);
+    assert!(
+        of(&two, "/Prefabs/").contains(&of(&all, "/Prefabs/")[0]) && of(&all, "/Prefabs/") != of(&before, "/Prefabs/")
+    );
+    has_no_orphans(&all);
+    folder.program(&stools(["white"; 6]));
+    folder.synth(&[]);
+    assert!(bytes(&before) == bytes(&folder.files()));
+}
+
 #[test]
 fn a_comment_makes_neither_furniture_nor_a_layout_again() {
     let folder = Folder::made(ROOM, &[]);

@@ -7,6 +7,7 @@
 mod documents;
 mod edits;
 mod glb;
+mod prefab;
 mod stand;
 mod unity;
 mod usd;

@@ -2,6 +2,7 @@
 //! are those in relation to the root of the scene, so that all of it may stand anywhere.
 
 use super::documents::{Document, documents};
+use super::prefab::{Expanded, Prefabs};
 use super::stand::{Place, Standing, transform};
 use super::{Embedded, embedded, nothing};
 use nalgebra::Matrix4;
@@ -12,11 +13,13 @@ use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-const GAME_OBJECT: u32 = 1;
-const TRANSFORM: u32 = 4;
-const MESH_FILTER: u32 = 33;
-const MONO_BEHAVIOUR: u32 = 114;
-const PREFAB_INSTANCE: u32 = 1001;
+pub(super) const GAME_OBJECT: u32 = 1;
+pub(super) const TRANSFORM: u32 = 4;
+pub(super) const MESH_FILTER: u32 = 33;
+pub(super) const MONO_BEHAVIOUR: u32 = 114;
+/// Below this game object is the building, below that one the objects.
+const BUILDING: &str = "Building";
+const OBJECTS: &str = "Objects";
 /// Game objects that are deeper than this are not looked at.
 const DEEPEST: usize = 64;
 
@@ -33,7 +36,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let found = embedded(format!("{name}/{file}"), path.join(file), &layout, &spec, &imports);
     for scene in scenes(&text("ProjectSettings/EditorBuildSettings.asset")?.unwrap_or_default()) {
         let Some(text) = text(&scene)? else { continue };
-        let things = Things::new(documents(&text));
+        let things = Things::new(Prefabs::new(path, loader).expand(documents(&text)));
         // Whoever has edited the layout itself wants that judged.
         if let Some(standing) = things.standing().filter(|_| things.layout_sum() == Some(sum(&layout))) {
             return Ok(found.updated(&standing));
@@ -59,15 +62,17 @@ struct Things {
     /// By anchor of a game object: its transform.
     transforms: BTreeMap<i64, usize>,
     by_anchor: BTreeMap<i64, usize>,
+    /// Game objects that are roots of prefabs without an object of ours.
+    foreign: BTreeSet<i64>,
 }
 
 impl Things {
-    fn new(all: Vec<Document>) -> Self {
+    fn new(Expanded { documents: all, foreign, .. }: Expanded) -> Self {
         let owner = |d: &Document| d.reference("m_GameObject");
         let of = |class: u32| all.iter().enumerate().filter(move |(_, d)| d.class == class);
         let transforms = of(TRANSFORM).filter_map(|(i, d)| Some((owner(d)?, i))).collect();
         let by_anchor = all.iter().enumerate().map(|(i, d)| (d.anchor, i)).collect();
-        Self { transforms, by_anchor, all }
+        Self { transforms, by_anchor, foreign, all }
     }
 
     /// The script of a scene of ours.
@@ -95,44 +100,40 @@ impl Things {
     /// Everything that one sees; `None`: there is no scene of ours.
     fn standing(&self) -> Option<Vec<Standing>> {
         let root = self.root()?.reference("m_GameObject")?;
-        let scripts = self.all.iter().filter(|d| d.class == MONO_BEHAVIOUR && d.text("declaration").is_some());
+        let scripts = self.all.iter().filter(|d| d.class == MONO_BEHAVIOUR);
         let ids: BTreeMap<i64, String> =
-            scripts.filter_map(|d| Some((d.reference("m_GameObject")?, d.text("id")?))).collect();
+            scripts.filter_map(|d| Some((d.reference("m_GameObject")?, d.told_id()?))).collect();
         let seen: BTreeSet<i64> =
             self.all.iter().filter(|d| d.class == MESH_FILTER).filter_map(|d| d.reference("m_GameObject")).collect();
         let mut out = Vec::new();
         for object in self.all.iter().filter(|d| d.class == GAME_OBJECT) {
-            let (id, is_seen) = (ids.get(&object.anchor), seen.contains(&object.anchor));
+            let id = ids.get(&object.anchor);
+            let is_seen = seen.contains(&object.anchor) || self.foreign.contains(&object.anchor);
             let Some(&transform) = self.transforms.get(&object.anchor) else { continue };
             if id.is_none() && !is_seen || object.text("m_IsActive").as_deref() == Some("0") {
                 continue;
             }
             let above = self.above(&self.all[transform]);
-            // What hangs on one of our objects belongs to it.
-            if id.is_none() && above.iter().any(|o| ids.contains_key(o)) {
+            let names: Vec<String> = above.iter().take_while(|o| **o != root).map(|o| self.name(*o)).collect();
+            let own = self.name(object.anchor);
+            let is_building = names.iter().any(|name| name == BUILDING);
+            // What hangs on one of our objects belongs to it, and what is in a prefab of others to that. Somebody may have made
+            // a prefab of the building.
+            let belongs = |o: &i64| ids.contains_key(o) || self.foreign.contains(o) && self.name(*o) != BUILDING;
+            let is_group = !seen.contains(&object.anchor) && own == BUILDING;
+            if id.is_none() && (is_group || above.iter().any(belongs)) {
                 continue;
             }
-            let names: Vec<String> = above.iter().take_while(|o| **o != root).map(|o| self.name(*o)).collect();
-            let is_building = names.iter().any(|name| name == "Building");
-            let father = names.first().filter(|name| id.is_some() && *name != "Objects");
+            let father = names.first().filter(|name| id.is_some() && *name != OBJECTS);
             let lost = id.is_some() && names.is_empty();
             out.push(Standing {
                 id: id.cloned(),
-                name: self.name(object.anchor),
+                name: own,
                 parent: father.cloned().or_else(|| lost.then(|| "the scene".to_owned())),
                 is_building,
                 place: self.within(&self.all[transform], root).and_then(|m| Place::of(&m)),
             });
         }
-        // What was put there as a prefab has its name among the changes to it, if anywhere.
-        let prefabs = self.all.iter().filter(|d| d.class == PREFAB_INSTANCE);
-        out.extend(prefabs.map(|d| Standing {
-            id: None,
-            name: format!("the prefab {}", d.anchor),
-            parent: None,
-            is_building: false,
-            place: None,
-        }));
         Some(out)
     }
 

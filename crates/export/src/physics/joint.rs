@@ -37,7 +37,7 @@ impl Joint {
 
 /// A piece that moves. All of it is in the frame of the body, closed.
 pub(crate) struct Moving {
-    /// `cabinet/door`
+    /// As [`piece_name`] says.
     pub name: String,
     /// How it hangs on the body.
     pub joint: Joint,
@@ -47,6 +47,11 @@ pub(crate) struct Moving {
     pub drawn: Vec<Group>,
     /// Its mass.
     pub inertia: Inertia,
+}
+
+/// What a piece of an object is called: `cabinet/door`.
+pub(crate) fn piece_name(object: &str, joint: &Told) -> String {
+    format!("{object}/{}", joint.name)
 }
 
 /// An object in pieces.
@@ -72,7 +77,7 @@ pub(super) fn take_apart(object: &Object, geoms: &[Geom]) -> Option<Pieces> {
         }
         let inertia = inertia(object, &parts);
         Some(Moving {
-            name: format!("{}/{}", object.name, told.name),
+            name: piece_name(&object.name, told),
             joint: joint(told, &inertia),
             geoms: parts.iter().map(|&p| geoms[p].clone()).collect(),
             drawn: seen(object, |part| part.and_then(owner) == Some(index)),

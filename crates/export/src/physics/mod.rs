@@ -12,7 +12,7 @@ mod joint;
 mod shape;
 
 pub(crate) use inertia::Inertia;
-pub(crate) use joint::{Joint, Moving};
+pub(crate) use joint::{Joint, Moving, piece_name};
 pub(crate) use shape::{Geom, Shape};
 
 use crate::Scene;

@@ -1,5 +1,5 @@
-//! A Unity project as text, for 2022.3 or 6000: scene, meshes, materials, colliders, lights, and the program with its layout and
-//! report as text assets. Opens without packages from elsewhere and without a first import by hand.
+//! A Unity project as text, for 2022.3 or 6000: scene, prefabs, meshes, materials, colliders, lights, and the program with its
+//! layout and report as text assets. Opens without packages from elsewhere and without a first import by hand.
 
 mod component;
 mod editor;
@@ -8,6 +8,7 @@ mod joint;
 mod material;
 mod mesh_obj;
 mod object;
+mod prefab;
 mod project;
 mod scene;
 mod tree;

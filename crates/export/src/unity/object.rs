@@ -1,14 +1,14 @@
 //! An object in the scene: its own game object, and one below it for each part that moves.
 
 use super::component::{self, class};
-use super::ids::anchor;
 use super::joint;
 use super::project::mesh_of;
 use super::scene::{Writer, lamp};
-use super::tree::{Layer, Node, narrow};
-use super::yaml::{Yaml, local, map, none, vector};
+use super::tree::{Child, Layer, Node, narrow};
+use super::yaml::{Map, Yaml, local, map, none, vector};
+use crate::Scene;
 use crate::geometry::mesh::Group;
-use crate::physics::{Body as Jointed, Moving};
+use crate::physics::{Body as Jointed, Moving, piece_name};
 use crate::scene::{Body, Lamp, Object};
 use nalgebra::Matrix3;
 use scenelang_layout::{Aabb, Convex, Joint as Told, Motion, Obb, Vec3};
@@ -17,32 +17,45 @@ use scenelang_layout::{Aabb, Convex, Joint as Told, Motion, Obb, Vec3};
 const GRIP: f64 = 0.06;
 
 impl Writer<'_> {
-    pub fn object(&mut self, object: &Object) -> Node {
-        let mut node = Node::new(key(object), object.name.clone());
+    /// An object where it stands; files of its meshes have the name of the asset.
+    pub fn object(&mut self, object: &Object, asset: &str) -> Node {
+        let mut node = self.made(object, &key(object), asset, Some(object));
+        object.name.clone_into(&mut node.name);
         node.pos = object.place.pos;
         node.axes = object.axes;
+        node
+    }
+
+    /// What all objects of an asset have in common, at the origin, made from one of them.
+    pub fn bare(&mut self, object: &Object, key: &str, asset: &str) -> Node {
+        self.made(object, key, asset, None)
+    }
+
+    /// An object at the origin. Scripts speak of the named one, or of none.
+    fn made(&mut self, object: &Object, key: &str, asset: &str, named: Option<&Object>) -> Node {
+        let mut node = Node::new(key, "");
         node.fixed = object.body == Body::Static;
         node.place_on(if node.fixed { Layer::Opening } else { Layer::Furniture });
         let whole = Jointed::object(object);
-        self.drawn(&mut node, &object.stem, &whole.drawn);
+        self.drawn(&mut node, asset, &whole.drawn);
         let joints: &[Told] = if whole.moving.is_empty() { &[] } else { &object.place.joints };
         let owner = |part: usize| joints.iter().position(|joint| joint.parts.contains(&part));
         for (i, body) in object.solid.iter().enumerate().filter(|(i, _)| owner(*i).is_none()) {
-            self.collider(&mut node, object, i, body);
+            self.collider(&mut node, (&format!("{key}/{i}"), asset, i), body);
         }
         for (index, (piece, told)) in whole.moving.iter().zip(joints).enumerate() {
-            let mut child = self.piece(object, index, piece, told);
+            let mut child = self.piece(&node, asset, index, (piece, told, named));
             for (i, body) in object.solid.iter().enumerate().filter(|(i, _)| owner(*i) == Some(index)) {
-                self.collider(&mut child, object, i, body);
+                self.collider(&mut child, (&format!("{key}/{i}"), asset, i), body);
             }
-            node.children.push(child);
+            node.children.push(child.into());
         }
         // What belongs to a thing is moved with it.
         let own = |l: &&Lamp| l.object.is_some_and(|index| std::ptr::eq(&raw const self.scene.objects[index], object));
-        for light in self.scene.lamps.iter().filter(own) {
-            let mut child = lamp(light, self.editor);
-            child.pos = object.axes.transpose() * (light.pos - object.place.pos);
-            node.children.push(child);
+        for (i, (light, bulb)) in self.scene.lamps.iter().filter(own).zip(&object.lights).enumerate() {
+            let mut child = lamp(light, format!("{key}/light{i}"), "light", self.editor);
+            child.pos = bulb.pos;
+            node.children.push(child.into());
         }
         // A joint needs a body to hang on, also where that stands still.
         if object.body != Body::Static || !whole.moving.is_empty() {
@@ -50,39 +63,30 @@ impl Writer<'_> {
             let mass = whole.inertia.filter(|_| !whole.moving.is_empty()).map_or(object.mass, |inertia| inertia.mass);
             node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(mass, held, self.editor));
         }
-        self.told(&mut node, object);
+        let fields = told(named.map(|object| (self.scene, object)));
+        node.add(class::MONO_BEHAVIOUR, "MonoBehaviour", component::script(&self.scripts.object, fields));
         node
     }
 
-    /// The script that carries what the program says of it.
-    fn told(&self, node: &mut Node, object: &Object) {
-        let ids = object.rows.iter().map(|&r| Yaml::from(self.scene.rows[r].id.as_str())).collect::<Vec<_>>();
-        let bounds = world_bounds(object);
-        let fields = map! {
-            "id" => object.name.as_str(),
-            "category" => object.category.as_str(),
-            "declaration" => object.declaration.as_str(),
-            "requirements" => object.requirements.iter().map(|said| Yaml::from(said.as_str())).collect::<Vec<_>>(),
-            "constraints" => ids,
-            "boundsMin" => vector(narrow(bounds.min)),
-            "boundsMax" => vector(narrow(bounds.max)),
-        };
-        node.add(class::MONO_BEHAVIOUR, "MonoBehaviour", component::script(&self.scripts.object, fields));
-    }
-
     /// What moves against an object, closed, in the frame of the object; without its colliders.
-    fn piece(&mut self, object: &Object, index: usize, piece: &Moving, told: &Told) -> Node {
-        let mut node = Node::new(format!("{}/joint{index}", key(object)), told.name.clone());
+    fn piece(
+        &mut self,
+        owner: &Node,
+        asset: &str,
+        index: usize,
+        (piece, told, named): (&Moving, &Told, Option<&Object>),
+    ) -> Node {
+        let mut node = Node::new(format!("{}/joint{index}", owner.key), told.name.clone());
         node.tag = "Part";
-        self.drawn(&mut node, &format!("{}.joint{index}", object.stem), &piece.drawn);
+        self.drawn(&mut node, &format!("{asset}.joint{index}"), &piece.drawn);
         node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(piece.inertia.mass, false, self.editor));
-        let to = anchor(&key(object), "Rigidbody");
+        let to = owner.anchor("Rigidbody");
         match piece.joint.motion {
             Motion::Hinge => node.add(class::HINGE_JOINT, "HingeJoint", joint::hinge(&piece.joint, to)),
             Motion::Slide => node.add(class::CONFIGURABLE_JOINT, "ConfigurableJoint", joint::slide(&piece.joint, to)),
         }
         let grip = told.handle.map(|handle| {
-            let mut grip = Node::new(format!("{}/joint{index}/handle", key(object)), "handle");
+            let mut grip = Node::new(format!("{}/handle", node.key), "handle");
             grip.pos = handle;
             grip.place_on(Layer::Handle);
             grip.add(class::BOX_COLLIDER, "BoxCollider", component::box_trigger(Vec3::zeros(), Vec3::repeat(GRIP)));
@@ -93,7 +97,8 @@ impl Writer<'_> {
             Motion::Slide => 1,
         };
         let fields = map! {
-            "id" => piece.name.as_str(),
+            // In a prefab it is a part of an object without a name.
+            "id" => piece_name(named.map_or("", |object| &object.name), told).as_str(),
             "motion" => motion,
             "axis" => vector(narrow(piece.joint.axis)),
             "pivot" => vector(narrow(piece.joint.anchor)),
@@ -102,7 +107,7 @@ impl Writer<'_> {
             "handle" => grip.as_ref().map_or_else(none, |grip| local(grip.transform())),
         };
         node.add(class::MONO_BEHAVIOUR, "MonoBehaviour", component::script(&self.scripts.joint, fields));
-        node.children.extend(grip);
+        node.children.extend(grip.map(Child::Node));
         node
     }
 
@@ -115,11 +120,11 @@ impl Writer<'_> {
     }
 
     /// A box that stands straight sits on the object itself, a turned one on a child, any other body is a convex mesh.
-    fn collider(&mut self, node: &mut Node, object: &Object, i: usize, body: &Convex) {
+    fn collider(&mut self, node: &mut Node, (key, asset, i): (&str, &str, usize), body: &Convex) {
         let Some(Obb { center, axes, half }) = body.as_box() else {
             let mut group = Group::new(0);
             group.solid(body);
-            let mesh = self.mesh(&format!("Objects/{}.hull{i}", object.stem), &[group]);
+            let mesh = self.mesh(&format!("Objects/{asset}.hull{i}"), &[group]);
             node.add(class::MESH_COLLIDER, "MeshCollider", component::mesh_collider(mesh_of(&mesh), true));
             return;
         };
@@ -127,17 +132,34 @@ impl Writer<'_> {
             node.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(*center, half * 2.0));
             return;
         }
-        let mut child = Node::new(format!("{}/{i}", key(object)), format!("part{i}"));
+        let mut child = Node::new(key, format!("part{i}"));
         child.pos = *center;
         child.axes = *axes;
         child.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(Vec3::zeros(), half * 2.0));
-        node.children.push(child);
+        node.children.push(child.into());
     }
 }
 
 /// What the identities of an object are made from.
-fn key(object: &Object) -> String {
+pub(super) fn key(object: &Object) -> String {
     format!("object:{}", object.name)
+}
+
+/// What the script of an object carries: what the program says of it. In a prefab: nothing.
+pub(super) fn told(of: Option<(&Scene, &Object)>) -> Map {
+    let text = |part: fn(&Object) -> &str| of.map_or("", |(_, object)| part(object));
+    let list =
+        |texts: fn(&Scene, &Object) -> Vec<Yaml>| of.map_or_else(Vec::new, |(scene, object)| texts(scene, object));
+    let bounds = of.map_or(Aabb { min: Vec3::zeros(), max: Vec3::zeros() }, |(_, object)| world_bounds(object));
+    map! {
+        "id" => text(|object| &object.name),
+        "category" => text(|object| &object.category),
+        "declaration" => text(|object| &object.declaration),
+        "requirements" => list(|_, object| object.requirements.iter().map(|said| Yaml::from(said.as_str())).collect()),
+        "constraints" => list(|scene, object| object.rows.iter().map(|&r| Yaml::from(scene.rows[r].id.as_str())).collect()),
+        "boundsMin" => vector(narrow(bounds.min)),
+        "boundsMax" => vector(narrow(bounds.max)),
+    }
 }
 
 /// The world-axis box of what is seen of an object, for the self test.

@@ -92,6 +92,7 @@ fn importer(extension: Option<&str>, editor: Editor) -> Map {
             with("MonoImporter", fields)
         }
         Some("obj") => with("ModelImporter", model(editor)),
+        Some("prefab") => with("PrefabImporter", plain()),
         Some(_) => with("TextScriptImporter", plain()),
     }
 }

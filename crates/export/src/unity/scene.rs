@@ -1,10 +1,10 @@
 //! The scene file: a root that carries program, layout and report; below it the building and the objects; sun, lamps
-//! and a camera beside it. What an object becomes is in [`super::object`].
+//! and a camera beside it. What an object becomes is in [`super::object`], and which are instances of prefabs in [`super::prefab`].
 
 use super::component::{self, Shine, class};
 use super::editor::Editor;
 use super::project::{Project, mesh_of};
-use super::tree::{Layer, Node, scene_file};
+use super::tree::{Child, Layer, Node, scene_file};
 use super::yaml::{Yaml, asset, map};
 use super::{Material, mesh_obj};
 use crate::Scene;
@@ -67,13 +67,13 @@ impl Writer<'_> {
         root.add(class::MONO_BEHAVIOUR, "MonoBehaviour", component::script(&self.scripts.nav_mesh, walker));
         let mut building = Node::new("building", "Building");
         building.fixed = true;
-        building.children = self.scene.shells.iter().filter_map(|s| self.shell(s)).collect();
+        building.children = self.scene.shells.iter().filter_map(|s| self.shell(s)).map(Child::Node).collect();
         let mut furniture = Node::new("objects", "Objects");
-        furniture.children = self.scene.objects.iter().map(|o| self.object(o)).collect();
-        root.children = vec![building, furniture];
+        furniture.children = self.objects();
+        root.children = vec![building.into(), furniture.into()];
         let mut roots = vec![root, sun(self.editor), camera(self.scene)];
         let hung = self.scene.lamps.iter().filter(|lamp| lamp.object.is_none());
-        roots.extend(hung.map(|light| lamp(light, self.editor)));
+        roots.extend(hung.map(|light| lamp(light, format!("light:{}", light.name), &light.name, self.editor)));
         scene_file(|stream| component::settings(stream, self.editor), &roots)
     }
 
@@ -104,7 +104,7 @@ impl Writer<'_> {
                     child.pos = slab.center;
                     child.axes = rotation::matrix(Vec3::new(0.0, slab.yaw, 0.0));
                     child.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(Vec3::zeros(), slab.size));
-                    node.children.push(child);
+                    node.children.push(child.into());
                 }
             }
             Role::Tint => {}
@@ -136,8 +136,8 @@ fn sun(editor: Editor) -> Node {
     node
 }
 
-pub(super) fn lamp(lamp: &Lamp, editor: Editor) -> Node {
-    let mut node = Node::new(format!("light:{}", lamp.name), lamp.name.clone());
+pub(super) fn lamp(lamp: &Lamp, key: String, name: &str, editor: Editor) -> Node {
+    let mut node = Node::new(key, name);
     node.pos = lamp.pos;
     node.add(class::LIGHT, "Light", component::light(&Shine::Lamp(lamp), editor));
     node

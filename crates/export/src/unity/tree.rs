@@ -1,7 +1,7 @@
 //! Game objects and their components as a tree, and the tree as documents that refer to each other.
 
 use super::ids::anchor;
-use super::yaml::{Map, Stream, Yaml, local, map, none, quaternion, vector};
+use super::yaml::{Map, Stream, Yaml, asset, local, map, none, quaternion, vector};
 use crate::geometry::frame::unity_euler;
 use nalgebra::Matrix3;
 use scenelang_layout::{Vec3, rotation};
@@ -18,8 +18,8 @@ pub(super) struct Node {
     pub axes: Matrix3<f64>,
     /// Besides its transform.
     pub components: Vec<Component>,
-    /// Below it.
-    pub children: Vec<Node>,
+    /// Below it, in this order.
+    pub children: Vec<Child>,
     /// Never moves.
     pub fixed: bool,
     /// `Untagged`, `MainCamera`, one of [`Layer::tags`].
@@ -27,6 +27,100 @@ pub(super) struct Node {
     /// What it is on; `None`: what its parent is on.
     pub layer: Option<Layer>,
 }
+
+/// What is below a game object.
+pub(super) enum Child {
+    /// Another one, written out.
+    Node(Node),
+    /// An instance of a prefab.
+    Instance(Instance),
+}
+
+impl From<Node> for Child {
+    fn from(node: Node) -> Self {
+        Self::Node(node)
+    }
+}
+
+impl Child {
+    fn transform(&self) -> i64 {
+        match self {
+            Self::Node(node) => node.transform(),
+            Self::Instance(instance) => anchor(&instance.key, "Transform"),
+        }
+    }
+}
+
+/// An instance of a prefab, with what is different of it.
+pub(super) struct Instance {
+    /// What its identities are made from; unique in the scene.
+    pub key: String,
+    /// The prefab's.
+    pub guid: String,
+    /// The transform of the prefab's root.
+    pub root: i64,
+    /// What it says otherwise than the prefab.
+    pub changes: Vec<Change>,
+}
+
+/// A field of an instance.
+pub(super) struct Change {
+    /// The game object or component in the prefab.
+    pub target: i64,
+    /// The field: `m_LocalPosition.x`, `constraints.Array.data[0]`.
+    pub path: String,
+    /// What it is in the instance.
+    pub value: Yaml,
+}
+
+impl Instance {
+    fn write(&self, stream: &mut Stream, father: i64) {
+        let own = anchor(&self.key, "PrefabInstance");
+        let of_prefab = |id: i64| asset(id, &self.guid, 3);
+        let change = |change: &Change| -> Yaml {
+            map! {
+                "target" => of_prefab(change.target),
+                "propertyPath" => change.path.as_str(),
+                "value" => change.value.clone(),
+                "objectReference" => none(),
+            }
+            .into()
+        };
+        stream.document(
+            1001,
+            own,
+            "PrefabInstance",
+            &map! {
+                "m_ObjectHideFlags" => 0,
+                "serializedVersion" => 2,
+                "m_Modification" => map! {
+                    "serializedVersion" => 3,
+                    "m_TransformParent" => local(father),
+                    "m_Modifications" => self.changes.iter().map(change).collect::<Vec<_>>(),
+                    "m_RemovedComponents" => Vec::<Yaml>::new(),
+                    "m_RemovedGameObjects" => Vec::<Yaml>::new(),
+                    "m_AddedGameObjects" => Vec::<Yaml>::new(),
+                    "m_AddedComponents" => Vec::<Yaml>::new(),
+                },
+                "m_SourcePrefab" => of_prefab(SOURCE),
+            },
+        );
+        // What its parent lists as its child: the transform of the instance, without fields of its own.
+        stream.stripped(
+            4,
+            anchor(&self.key, "Transform"),
+            "Transform",
+            &map! {
+                "m_CorrespondingSourceObject" => of_prefab(self.root),
+                "m_PrefabInstance" => local(own),
+                "m_PrefabAsset" => none(),
+            },
+        );
+    }
+}
+
+/// What Unity calls a prefab as a whole.
+const SOURCE: i64 = 100_100_000;
 
 /// A layer of the scene, by what is on it; the number is that of Unity, and of `ScenelangLayers` in the scripts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,13 +197,18 @@ impl Node {
 
     /// The anchor of its transform.
     pub fn transform(&self) -> i64 {
-        anchor(&self.key, "Transform")
+        self.anchor("Transform")
+    }
+
+    /// The anchor of one of its components, by key, or of itself: `GameObject`.
+    pub fn anchor(&self, component: &str) -> i64 {
+        anchor(&self.key, component)
     }
 
     /// Adds its documents and those of all below it.
     pub fn write(&self, stream: &mut Stream, father: i64, above: Option<Layer>) {
         let layer = self.layer.or(above);
-        let own = anchor(&self.key, "GameObject");
+        let own = self.anchor("GameObject");
         let ids: Vec<i64> = self.components.iter().map(|c| anchor(&self.key, &c.key)).collect();
         let listed = std::iter::once(self.transform()).chain(ids.iter().copied());
         let mut fields = hidden();
@@ -125,18 +224,17 @@ impl Node {
             "m_IsActive" => 1,
         });
         stream.document(1, own, "GameObject", &fields);
-        let q = rotation::quaternion(&self.axes);
+        let [pos, rot, hint] = pose(self.pos, &self.axes);
         let mut fields = prefix(own);
+        fields.extend(map! { "serializedVersion" => 2 });
+        fields.extend([rot, pos]);
         fields.extend(map! {
-            "serializedVersion" => 2,
-            "m_LocalRotation" => quaternion(q.map(|v| v as f32)),
-            "m_LocalPosition" => vector(narrow(self.pos)),
             "m_LocalScale" => vector([1.0; 3]),
             "m_ConstrainProportionsScale" => 0,
             "m_Children" => self.children.iter().map(|c| local(c.transform())).collect::<Vec<_>>(),
             "m_Father" => local(father),
-            "m_LocalEulerAnglesHint" => vector(unity_euler(&self.axes).map(|v| v as f32)),
         });
+        fields.push(hint);
         stream.document(4, self.transform(), "Transform", &fields);
         for (component, id) in self.components.iter().zip(ids) {
             let mut fields = prefix(own);
@@ -144,9 +242,29 @@ impl Node {
             stream.document(component.class, id, component.kind, &fields);
         }
         for child in &self.children {
-            child.write(stream, self.transform(), layer);
+            match child {
+                Child::Node(node) => node.write(stream, self.transform(), layer),
+                Child::Instance(instance) => instance.write(stream, self.transform()),
+            }
         }
     }
+}
+
+/// Where a transform is, and how it is turned: its fields for position, rotation and the angles that the inspector shows.
+pub(super) fn pose(pos: Vec3, axes: &Matrix3<f64>) -> [(String, Yaml); 3] {
+    let turned = rotation::quaternion(axes).map(|v| v as f32);
+    [
+        ("m_LocalPosition".into(), vector(narrow(pos))),
+        ("m_LocalRotation".into(), quaternion(turned)),
+        ("m_LocalEulerAnglesHint".into(), vector(unity_euler(axes).map(|v| v as f32))),
+    ]
+}
+
+/// A prefab file: one tree.
+pub(super) fn prefab_file(root: &Node) -> Vec<u8> {
+    let mut stream = Stream::new();
+    root.write(&mut stream, 0, None);
+    stream.into_bytes()
 }
 
 /// The scene file: settings, the trees, and the list of their roots.

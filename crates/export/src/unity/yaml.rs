@@ -118,6 +118,12 @@ impl Stream {
         write_map(&mut self.out, fields, 2);
     }
 
+    /// Adds what stands for an object of a prefab's instance.
+    pub fn stripped(&mut self, class: u32, anchor: i64, kind: &str, fields: &Map) {
+        let _ = writeln!(self.out, "--- !u!{class} &{anchor} stripped\n{kind}:");
+        write_map(&mut self.out, fields, 2);
+    }
+
     /// Adds a document's fields without a header: the whole content of a `.meta` file.
     pub fn meta(fields: &Map) -> Vec<u8> {
         let mut out = String::new();

@@ -1,7 +1,8 @@
 //! Scenes read back from GLB files and Unity projects: as they were where nobody changed them, else with what was changed and
-//! nothing else.
+//! nothing else. Edits of Unity projects are in [`crate::edited`].
 
 use crate::fixture::parts;
+use crate::project::Project;
 use proptest::prelude::*;
 use scenelang_base::FileId;
 use scenelang_base::door::Door;
@@ -12,17 +13,16 @@ use scenelang_export::{Exporter, Scene, SceneInput};
 use scenelang_layout::{Layout, Vec3, file, rotation};
 use serde_json::{Value, json};
 use std::fs;
-use std::path::Path;
 
 /// A scene in both kinds of files.
-struct Written {
-    folder: tempfile::TempDir,
-    text: String,
+pub struct Written {
+    pub folder: tempfile::TempDir,
+    pub text: String,
 }
 
 impl Written {
     /// The scene of the fixture with another layout.
-    fn new(layout: &Layout) -> Self {
+    pub fn new(layout: &Layout) -> Self {
         let (parts, text) = (parts(), file::to_json(layout, None));
         let scene = Scene::build(&SceneInput {
             name: "room",
@@ -42,7 +42,7 @@ impl Written {
         Self { folder, text }
     }
 
-    fn read(&self, carrier: Carrier) -> Embedded {
+    pub fn read(&self, carrier: Carrier) -> Embedded {
         let path = self.folder.path().join(if carrier == Carrier::Glb { "room.glb" } else { "unity" });
         embedded::read("it", &path, carrier, &Door::of(&path)).unwrap()
     }
@@ -60,28 +60,17 @@ impl Written {
         let whole = [&bytes[..12], &size, b"JSON", &json, &bytes[20 + length..]].concat();
         fs::write(&path, whole).unwrap();
     }
-
-    /// Changes the text of the Unity scene from the game object of a name on.
-    fn edit_unity(&self, name: &str, from: &str, to: &str) {
-        let path = self.folder.path().join("unity/Assets/Scenes/room.unity");
-        let text = fs::read_to_string(&path).unwrap();
-        let at = [format!("m_Name: {name}\n"), format!("m_Name: \"{name}\"\n")];
-        let at = at.iter().find_map(|line| text.find(line.as_str())).unwrap();
-        let begin = at + text[at..].find(from).unwrap();
-        let end = begin + text[begin..].find('\n').unwrap();
-        fs::write(&path, format!("{}{to}{}", &text[..begin], &text[end..])).unwrap();
-    }
 }
 
 fn node<'d>(document: &'d mut Value, name: &str) -> &'d mut Value {
     document["nodes"].as_array_mut().unwrap().iter_mut().find(|n| n["name"] == name).unwrap()
 }
 
-fn layout(text: &str) -> Layout {
+pub fn layout(text: &str) -> Layout {
     file::read(text, FileId(0)).layout
 }
 
-fn said(found: &Embedded) -> Vec<&str> {
+pub fn said(found: &Embedded) -> Vec<&str> {
     found.changes.iter().map(|change| change.message.as_str()).collect()
 }
 
@@ -138,8 +127,7 @@ proptest! {
             node["translation"] = json!([-to.x, to.y, to.z]);
             node["rotation"] = json!([x, -y, -z, w]);
         });
-        written.edit_unity(&name, "m_LocalPosition", &format!("m_LocalPosition: {{x: {}, y: {}, z: {}}}", to.x, to.y, to.z));
-        written.edit_unity(&name, "m_LocalRotation", &format!("m_LocalRotation: {{x: {x}, y: {y}, z: {z}, w: {w}}}"));
+        Project::at(&written.folder.path().join("unity")).edit(|scene| scene.put(&name, [to.x, to.y, to.z], [x, y, z, w]));
         for carrier in [Carrier::Glb, Carrier::Unity] {
             let found = written.read(carrier);
             prop_assert_eq!(found.changes.len(), 1);
@@ -247,30 +235,4 @@ fn documents_that_make_no_sense_are_survived() {
         let (_, now) = after(change);
         assert!(now.objects.iter().all(|(_, place)| place.pos.iter().all(|v| v.is_finite())));
     }
-}
-
-#[test]
-fn a_unity_scene_tells_what_was_changed_in_it() {
-    let changed = |name: &str, from: &str, to: &str| {
-        let written = Written::new(&parts().layout);
-        written.edit_unity(name, from, to);
-        let found = written.read(Carrier::Unity);
-        said(&found).join("; ")
-    };
-    assert_eq!(changed("table", "m_Name", "m_Name: Big table"), "`table` was renamed to `Big table` in the scene");
-    assert_eq!(changed("table", "m_IsActive", "m_IsActive: 0"), "`table` was removed from the scene or switched off");
-    assert_eq!(
-        changed("table", "m_LocalScale", "m_LocalScale: {x: 1, y: 2, z: 1}"),
-        "`table` was scaled by 1.000 × 2.000 × 1.000"
-    );
-    // The whole scene may stand anywhere.
-    assert_eq!(changed("room", "m_LocalPosition", "m_LocalPosition: {x: 50, y: 0, z: 9}"), "");
-    // Whoever edits the layout itself wants that judged.
-    let written = Written::new(&parts().layout);
-    let own = written.folder.path().join("unity/Assets/Scenelang/layout.json");
-    let edited = written.text.replacen("[-1.2, 1.8, -1]", "[-1.2, 1.7, -1]", 1);
-    fs::write(&own, &edited).unwrap();
-    let found = written.read(Carrier::Unity);
-    assert_eq!((found.layout, found.changes.len()), (edited, 0));
-    assert!(Path::new(&own).exists());
 }

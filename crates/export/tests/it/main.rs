@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests may panic, too")]
 
 mod back;
+mod edited;
 mod fixture;
 mod glb;
 mod pictures;
+mod project;
 mod scene;
 mod scripts;
 mod simulators;

@@ -30,9 +30,23 @@ fn documents(text: &str) -> Vec<(u32, i64, &str)> {
         .map(|d| {
             let (head, body) = d.split_once('\n').unwrap();
             let (class, anchor) = head.split_once(" &").unwrap();
-            (class.parse().unwrap(), anchor.parse().unwrap(), body)
+            (class.parse().unwrap(), anchor.trim_end_matches(" stripped").parse().unwrap(), body)
         })
         .collect()
+}
+
+const SCENE: &str = "unity/Assets/Scenes/room.unity";
+
+/// The prefab of the chairs: its name and its text.
+fn chair(files: &BTreeMap<String, String>) -> (&str, &str) {
+    let prefabs: Vec<(&str, &str)> = files
+        .iter()
+        .filter_map(|(path, text)| {
+            Some((path.strip_prefix("unity/Assets/Scenelang/Prefabs/")?.strip_suffix(".prefab")?, &**text))
+        })
+        .collect();
+    let [chair] = prefabs[..] else { panic!("{:?}", prefabs.iter().map(|(name, _)| name).collect::<Vec<_>>()) };
+    chair
 }
 
 #[test]
@@ -59,7 +73,7 @@ fn all_references_lead_somewhere() {
     let files = project(&scene(), Pipeline::BuiltIn);
     let guids: BTreeSet<&str> =
         files.iter().filter(|(p, _)| p.ends_with(".meta")).filter_map(|(_, t)| value(t, "guid")).collect();
-    for (path, text) in files.iter().filter(|(p, _)| p.ends_with(".unity") || p.ends_with(".mat")) {
+    for (path, text) in files.iter().filter(|(p, _)| [".unity", ".prefab", ".mat"].iter().any(|end| p.ends_with(end))) {
         let anchors: BTreeSet<i64> = documents(text).iter().map(|d| d.1).collect();
         assert_eq!(anchors.len(), documents(text).len(), "{path}: an anchor is used twice");
         // Long references are broken after a comma.
@@ -79,28 +93,115 @@ fn all_references_lead_somewhere() {
 fn the_scene_has_the_components_it_needs() {
     let files = project(&scene(), Pipeline::BuiltIn);
     let mut classes = BTreeMap::new();
-    for (class, _, _) in documents(&files["unity/Assets/Scenes/room.unity"]) {
+    for (class, _, _) in documents(&files[SCENE]) {
         *classes.entry(class).or_insert(0) += 1;
     }
     let count = |class: u32| classes.get(&class).copied().unwrap_or(0);
-    assert_eq!(count(1), count(4), "a transform each");
-    assert_eq!(count(114), 8 + 2, "a script on each object, two on the root");
-    assert_eq!(count(54), 6, "doors and windows have no rigid body");
+    assert_eq!(count(1001), 2, "the chairs are instances");
+    assert_eq!(count(1) + 2, count(4), "a transform each, and one for each instance");
+    assert_eq!(count(114), 6 + 2, "a script on each object, two on the root");
+    assert_eq!(count(54), 4, "doors and windows have no rigid body");
     assert_eq!(count(108), 3, "sun and two lamps");
     assert_eq!([count(20), count(29), count(104), count(157), count(196), count(1_660_057_539)], [1; 6]);
-    assert_eq!(count(23), 8 + 2 * (2 + 4) + 1, "objects; floor, ceiling and four walls for each room; a tint");
+    assert_eq!(count(23), 6 + 2 * (2 + 4) + 1, "objects; floor, ceiling and four walls for each room; a tint");
     assert_eq!(count(23), count(33));
-    let text = &files["unity/Assets/Scenes/room.unity"];
+    let text = &files[SCENE];
     assert!(documents(text).last().unwrap().0 == 1_660_057_539, "the list of roots comes last");
-    assert!(text.contains("  id: \"chair[1]\"\n") && text.contains("  declaration: \"object chair[2];\"\n"));
+    assert!(text.contains("  id: table\n") && text.contains("  declaration: \"object table;\"\n"));
     assert_eq!(text.matches("m_IsKinematic: 1").count(), 2);
     // The crate: one upright box on itself, one turned box on a child, a cylinder as a convex mesh.
     assert!(text.contains("m_Name: part1\n"));
     assert!(files.contains_key("unity/Assets/Scenelang/Meshes/Objects/crate.hull2.obj"));
     assert_eq!(
-        text.matches("m_Convex: 1").count(),
+        text.matches("m_Convex: 1").count() + chair(&files).1.matches("m_Convex: 1").count(),
         files.keys().filter(|p| p.contains(".hull") && p.ends_with(".obj")).count()
     );
+}
+
+#[test]
+fn equal_objects_are_instances_of_one_prefab() {
+    let scene = scene();
+    let files = project(&scene, Pipeline::BuiltIn);
+    let (name, prefab) = chair(&files);
+    assert_eq!(value(&files[&format!("unity/Assets/Scenelang/Prefabs/{name}.prefab.meta")], "PrefabImporter"), None);
+    let guid = value(&files[&format!("unity/Assets/Scenelang/Prefabs/{name}.prefab.meta")], "guid").unwrap();
+    assert!(name.starts_with("chair-") && prefab.contains(&format!("  m_Name: {name}\n")));
+    // It says nothing of a single chair.
+    for line in
+        ["  id: \n", "  category: \n", "  declaration: \n", "  constraints: []\n", "  boundsMin: {x: 0, y: 0, z: 0}\n"]
+    {
+        assert!(prefab.contains(line), "{line}");
+    }
+    assert!(!prefab.contains("chair["));
+    let roots = documents(prefab).into_iter().filter(|d| d.0 == 4 && d.2.contains("m_Father: {fileID: 0}"));
+    let [(_, root, _)] = roots.collect::<Vec<_>>()[..] else { panic!("one root") };
+    let text = &files[SCENE];
+    let objects = documents(text).into_iter().find(|d| d.0 == 1 && d.2.contains("m_Name: Objects\n")).unwrap().1;
+    let group = documents(text)
+        .into_iter()
+        .find(|d| d.0 == 4 && d.2.contains(&format!("m_GameObject: {{fileID: {objects}}}")))
+        .unwrap();
+    for (i, constraints) in [0, 1].into_iter().zip(["1", "1"]) {
+        let told = |path: &str, value: &str| {
+            format!("      propertyPath: {path}\n      value: {value}\n      objectReference: {{fileID: 0}}\n")
+        };
+        let instance =
+            documents(text).into_iter().find(|d| d.0 == 1001 && d.2.contains(&told("id", &format!("\"chair[{i}]\""))));
+        let (_, own, instance) = instance.unwrap();
+        let object = scene.objects.iter().find(|object| object.name == format!("chair[{i}]")).unwrap();
+        for (path, value) in [
+            ("m_Name", format!("\"chair[{i}]\"")),
+            ("category", "chair".into()),
+            ("declaration", "\"object chair[2];\"".into()),
+            ("constraints.Array.size", constraints.into()),
+            ("m_LocalPosition.x", (object.place.pos.x as f32).to_string()),
+            ("m_LocalEulerAnglesHint.y", (object.place.rot.y as f32).to_string()),
+        ] {
+            assert!(instance.contains(&told(path, &value)), "{path}: {instance}");
+        }
+        assert!(instance.contains("      propertyPath: \"constraints.Array.data[0]\"\n"), "{instance}");
+        assert!(!instance.contains("m_LocalScale") && !instance.contains("m_Mass"), "{instance}");
+        assert!(instance.contains(&format!("m_TransformParent: {{fileID: {}}}", group.1)));
+        assert!(instance.contains(&format!("m_SourcePrefab: {{fileID: 100100000, guid: {guid}")));
+        let stands = documents(text)
+            .into_iter()
+            .find(|d| d.2.contains(&format!("m_PrefabInstance: {{fileID: {own}}}")))
+            .unwrap();
+        assert!(text.contains(&format!("--- !u!4 &{} stripped\n", stands.1)));
+        assert!(stands.2.contains(&format!("m_CorrespondingSourceObject: {{fileID: {root}, guid: {guid}")));
+        assert!(group.2.contains(&format!("  - {{fileID: {}}}\n", stands.1)));
+    }
+    let meshes = files.keys().filter(|path| path.contains("/Objects/chair") && path.ends_with(".obj")).count();
+    let hulls = scene.objects[1].solid.iter().filter(|part| part.as_box().is_none()).count();
+    assert_eq!(meshes, 1 + hulls, "the mesh of both");
+}
+
+#[test]
+fn what_is_said_of_an_instance_leaves_its_prefab_as_it_is() {
+    let one = scene();
+    let mut other = scene();
+    let chairs = |scene: &Scene| -> Vec<usize> {
+        (0..scene.objects.len()).filter(|&i| scene.objects[i].name.starts_with("chair")).collect()
+    };
+    for i in chairs(&other) {
+        let object = &mut other.objects[i];
+        object.place.pos.x += 0.5;
+        object.rows.clear();
+        object.requirements.push("a seat".into());
+    }
+    let (one, other) = (project(&one, Pipeline::BuiltIn), project(&other, Pipeline::BuiltIn));
+    assert_eq!(chair(&one), chair(&other));
+    assert!(
+        one[SCENE] != other[SCENE]
+            && other[SCENE].contains("      propertyPath: \"requirements.Array.data[0]\"\n      value: a seat\n")
+    );
+    // A single chair is like no other: it stands in the scene.
+    let mut single = scene();
+    let last = chairs(&single)[1];
+    single.objects[last].place.scale.y += 0.01;
+    let files = project(&single, Pipeline::BuiltIn);
+    assert!(!files.keys().any(|path| path.contains("Prefabs")) && !files[SCENE].contains("!u!1001 "));
+    assert!(files.contains_key("unity/Assets/Scenelang/Meshes/Objects/chair_1.obj"));
 }
 
 #[test]
@@ -108,7 +209,8 @@ fn meshes_come_mirrored_with_one_submesh_for_each_material() {
     let scene = scene();
     let files = project(&scene, Pipeline::BuiltIn);
     for object in &scene.objects {
-        let text = &files[&format!("unity/Assets/Scenelang/Meshes/Objects/{}.obj", object.stem)];
+        let asset = if object.name.starts_with("chair") { chair(&files).0 } else { &object.stem };
+        let text = &files[&format!("unity/Assets/Scenelang/Meshes/Objects/{asset}.obj")];
         assert!(!text.lines().any(|l| l.starts_with("g ") || l.starts_with("o ")));
         assert_eq!(text.lines().filter(|l| l.starts_with("usemtl ")).count(), object.mesh.len());
         let vertices: Vec<Vec<f32>> = text
@@ -175,7 +277,8 @@ fn floors_walls_openings_and_furniture_have_layers_and_tags_that_the_project_nam
     let files = project(&scene(), Pipeline::BuiltIn);
     let mut found: BTreeMap<String, (String, String)> = BTreeMap::new();
     let mut tags = BTreeSet::new();
-    for (_, _, text) in documents(&files["unity/Assets/Scenes/room.unity"]).iter().filter(|d| d.0 == 1) {
+    let (name, prefab) = chair(&files);
+    for (_, _, text) in documents(&files[SCENE]).iter().chain(&documents(prefab)).filter(|d| d.0 == 1) {
         let of = |key: &str| value(text, key).unwrap().trim_matches('"').to_owned();
         tags.insert(of("m_TagString"));
         found.insert(of("m_Name"), (of("m_Layer"), of("m_TagString")));
@@ -187,7 +290,7 @@ fn floors_walls_openings_and_furniture_have_layers_and_tags_that_the_project_nam
         ("door", "11", "Opening"),
         ("window", "11", "Opening"),
         ("table", "12", "Furniture"),
-        ("chair[0]", "12", "Furniture"),
+        (name, "12", "Furniture"),
         // A collider of the crate is on the layer of the crate.
         ("part1", "12", "Untagged"),
         ("Main Camera", "0", "MainCamera"),
