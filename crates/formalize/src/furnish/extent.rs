@@ -3,7 +3,7 @@
 
 use super::kinds;
 use super::number::{Scale, scale};
-use super::room::{Furnished, furnish_once};
+use super::room::{First, Furnished, furnish_once};
 use super::stand;
 use crate::brief::{Brief, Group};
 use crate::draft::{Draft, Thing};
@@ -36,10 +36,17 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let area = room.size[0] * room.size[2];
     let usual = brief.rooms.get(at).and_then(|room| room.usual).map_or(area, |[w, _, d]| w * d);
     let counted = if is_free { usual.min(area) } else { area };
-    let once = |draft: &mut Draft| furnish_once(draft, brief, at, closed, counted);
+    let once = |draft: &mut Draft| furnish_once(draft, brief, at, closed, (counted, First::Asked));
     let empty = draft.clone();
     let mut furnished = once(draft);
     if !is_free {
+        // A room that cannot grow has its bed before the desk that is asked for, if only so both have a place.
+        let mut other = empty;
+        if furnished.lacking > 0
+            && furnish_once(&mut other, brief, at, closed, (counted, First::Kind)).wants() < furnished.wants()
+        {
+            *draft = other;
+        }
         return;
     }
     if furnished.wants() != (0, 0) {

@@ -37,8 +37,23 @@ impl Furnished {
     }
 }
 
+/// What gets its place first in a room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum First {
+    /// What is asked for.
+    Asked,
+    /// What makes it such a room: the bed of a bedroom.
+    Kind,
+}
+
 /// Furnishes a room of its size with as much as one of `counted` square metres has.
-pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String], counted: f64) -> Furnished {
+pub fn furnish_once(
+    draft: &mut Draft,
+    brief: &Brief,
+    at: usize,
+    closed: &[String],
+    (counted, first): (f64, First),
+) -> Furnished {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
     let kind = if receives(draft, at) { kinds::of("private office") } else { kind };
     let Some(kind) = kind else { return Furnished::default() };
@@ -90,7 +105,7 @@ pub fn furnish_once(draft: &mut Draft, brief: &Brief, at: usize, closed: &[Strin
     asked::lengthened(&mut plan, brief);
     // A plan tries many places for each thing and looks for the ways that are left: a crowd is for the search alone.
     let crowd = plan.draft.things.iter().map(|thing| thing.count).sum::<usize>() > MOST_GUIDED;
-    place_all(&mut plan, asked, crowd);
+    place_all(&mut plan, asked, crowd, first);
     let idle = plan.ground.as_ref().map_or(0.0, Floor::idle);
     let unreached = plan.ground.as_ref().map_or(0, Floor::unreached);
     let furnished = Furnished { lacking: plan.lacking, idle, unreached };
@@ -108,11 +123,14 @@ fn receives(draft: &Draft, at: usize) -> bool {
 }
 
 /// Gives what is asked for and the inventory their places; of a `crowd`, what is asked for is left to the search.
-fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool) {
+fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
     let order = Order::of(plan, asked);
     plan.small.clone_from(&order.small);
     order.boards.iter().for_each(|thing| hang::up(plan, *thing));
-    let early = order.early(plan);
+    let mut early = order.early(plan);
+    if first == First::Kind {
+        early.extend(plan.kind.lines.first().filter(|line| matches!(line.place, Place::Wall | Place::Run)));
+    }
     early.iter().for_each(|line| matter(plan, line, true));
     let stand_up = |plan: &mut Plan, things: &[usize]| {
         things.iter().filter(|_| !crowd).for_each(|thing| asked::stand_up(plan, *thing));

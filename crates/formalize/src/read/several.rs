@@ -131,10 +131,14 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
         {
             continue;
         }
-        let owned = owned(chunks, tokens, i);
+        let annex = np.det == Det::Indefinite && np.count.is_none() && is_annex(&container_name, &np.name());
+        if annex && lexicon.room(&container_name).is_some_and(|kind| kind.loose) {
+            out.container.get_or_insert(head);
+        }
+        let owned = annex || owned(chunks, tokens, i);
         let many = np.count.is_some_and(|n| n > 1);
         if owned || many || building {
-            rooms.push((i, owned.then_some(last)));
+            rooms.push((i, owned.then_some(if annex { head } else { last })));
         }
         if !owned {
             last = i;
@@ -145,6 +149,20 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
         out.container = Some(head);
     }
     out.rooms.extend(rooms);
+}
+
+/// Whether a room that is listed among the things of another one is a room beside it: the bathroom of a bedroom, the kitchen
+/// of a restaurant.
+fn is_annex(of: &str, room: &str) -> bool {
+    const STORES: [&str; 5] = ["storeroom", "store room", "stockroom", "stock room", "storage room"];
+    let kind = |name: &str| get().room(name).map_or("", |kind| kind.name);
+    match kind(of) {
+        "bedroom" => kind(room) == "bathroom",
+        "restaurant" | "cafe" | "bar room" => matches!(kind(room), "bathroom" | "kitchen") || STORES.contains(&room),
+        "shop" => STORES.contains(&room),
+        "gym" => matches!(room, "changing room" | "locker room"),
+        _ => false,
+    }
 }
 
 /// Whether such a room has things of this name in it: a clothes shop its fitting rooms.
