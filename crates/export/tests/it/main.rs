@@ -4,6 +4,7 @@
 mod back;
 mod fixture;
 mod glb;
+mod live;
 mod pictures;
 mod scene;
 mod scripts;
