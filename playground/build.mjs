@@ -17,8 +17,9 @@ const common = { bundle: true, minify: true, format: "iife", target: "es2022", c
 /** The module as Node runs it, by the code of the page's worker. */
 async function engine(bytes) {
   const made = await build({ ...common, format: "esm", entryPoints: [here("src/engine.ts")], write: false });
-  const { start } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
-  return start(await WebAssembly.compile(bytes));
+  const { read, start } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].contents).toString("base64")}`);
+  const ask = await start(await WebAssembly.compile(bytes));
+  return (request) => read(ask(request));
 }
 
 const folder = here("../examples");

@@ -1,12 +1,12 @@
 // The page's side of a worker. Of a worker that was ended, nobody hears any more; the next question starts another.
 
 import script from "virtual:worker";
+import { read } from "./engine.js";
 
 interface Reply {
   readonly id: number;
-  readonly answer?: unknown;
-  readonly error?: string;
-  readonly broken?: boolean;
+  readonly answer?: string;
+  readonly broken?: string;
 }
 
 /** Why a question will not be answered: it was called off. */
@@ -60,11 +60,15 @@ export class Client {
     return worker;
   }
 
-  private hear({ id, answer, error, broken }: Reply): void {
+  private hear({ id, answer, broken }: Reply): void {
     const asked = this.waiting.get(id);
     this.waiting.delete(id);
-    if (error === undefined) asked?.done(answer);
-    else asked?.failed(new Error(error));
-    if (broken === true) this.end(new Error(error));
+    try {
+      if (answer !== undefined) asked?.done(read(answer));
+      else asked?.failed(new Error(broken));
+    } catch (why) {
+      asked?.failed(why instanceof Error ? why : new Error(String(why)));
+    }
+    if (broken !== undefined) this.end(new Error(broken));
   }
 }

@@ -6,9 +6,17 @@ interface Exports {
   scenelang_call(request: number, length: number): number;
 }
 
-export type Ask = (request: unknown) => unknown;
+/** Asks the module. The answer is its JSON: a text goes to another thread faster than what it says. */
+export type Ask = (request: unknown) => string;
 
-/** Starts an instance. What it is asked throws an error where it has no answer. */
+/** What an answer says; throws an error where there is none. */
+export function read(answer: string): unknown {
+  const { ok, error } = JSON.parse(answer) as { ok?: unknown; error?: string };
+  if (error !== undefined) throw new Error(error);
+  return ok;
+}
+
+/** Starts an instance. */
 export async function start(module: WebAssembly.Module): Promise<Ask> {
   const instance = await WebAssembly.instantiate(module, {});
   const exports = instance.exports as unknown as Exports;
@@ -21,9 +29,6 @@ export async function start(module: WebAssembly.Module): Promise<Ask> {
     const answer = exports.scenelang_call(at, bytes.length) >>> 0;
     // The memory may have grown, and then is another buffer.
     const length = new DataView(exports.memory.buffer).getUint32(answer, true);
-    const text = decoder.decode(new Uint8Array(exports.memory.buffer, answer + 4, length));
-    const { ok, error } = JSON.parse(text) as { ok?: unknown; error?: string };
-    if (error !== undefined) throw new Error(error);
-    return ok;
+    return decoder.decode(new Uint8Array(exports.memory.buffer, answer + 4, length));
   };
 }

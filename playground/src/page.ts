@@ -81,15 +81,18 @@ export class Page {
   }
 
   private marks: readonly Mark[] = [];
+  /** What the list of problems says. */
+  private listed = "[]";
 
   /** Lists what is wrong. Only so much of it is shown that the page stays quick. */
   list(marks: readonly Mark[], lineOf: (offset: number) => number): void {
     const MOST = 200;
     this.marks = marks.slice(0, MOST);
-    const items = this.marks.map(({ severity, code, message, range }) => {
-      const place = range === null ? "layout" : `line ${lineOf(range[0])}`;
-      return el(`li.${severity}`, {}, el("button", { type: "button" }, el("code", {}, code), el("span.text", {}, message), el("span.place", {}, place)));
-    });
+    const placed = this.marks.map(({ severity, code, message, range }) => ({ severity, code, message, place: range === null ? "layout" : `line ${lineOf(range[0])}` }));
+    const listed = JSON.stringify(placed);
+    if (listed === this.listed) return;
+    this.listed = listed;
+    const items = placed.map(({ severity, code, message, place }) => el(`li.${severity}`, {}, el("button", { type: "button" }, el("code", {}, code), el("span.text", {}, message), el("span.place", {}, place))));
     this.problems.replaceChildren(...items);
   }
 

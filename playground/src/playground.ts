@@ -43,7 +43,7 @@ export class Playground {
   private readonly page: Page;
   private readonly editor: Editor;
   private readonly room: Room;
-  private readonly app: App;
+  private app: App | null = null;
   private readonly quick: Client;
   private readonly slow: Client;
   private name = "room.scene";
@@ -93,9 +93,6 @@ export class Playground {
         if (range !== null) this.editor.select(...range);
       },
     });
-    this.app = new App(this.page.viewer, this.room);
-    window.scenelang = this.app.hook;
-    this.room.start(this.app);
     window.playground = this.hook;
   }
 
@@ -174,9 +171,18 @@ export class Playground {
         const { generation, began } = this;
         const ask = this.opening ?? (() => this.quick.ask<Marks>({ method: "edit", text: this.editor.text }));
         this.opening = null;
-        const marks = await ask();
+        const asked = ask();
+        // The worker goes on with the room while the page shows what is marked.
+        const room = this.layout === null ? null : this.ask();
+        for (const answer of [asked, room]) answer?.catch(() => {});
+        if (this.app === null) {
+          // The worker has been asked after this, and starts while the viewer does, which takes as long.
+          await new Promise((done) => setTimeout(done));
+          this.viewer();
+        }
+        const marks = await asked;
         if (generation !== this.generation) continue;
-        await this.show(marks);
+        await this.show(marks, room);
         if (began > 0 && generation === this.generation) {
           this.hook.latencies.push(performance.now() - began);
           this.hook.latencies.splice(0, this.hook.latencies.length - 100);
@@ -200,14 +206,38 @@ export class Playground {
     void this.quick.ask({ method: "open", name, text: "", layout: null }).catch(() => {});
   }
 
-  private async show(marks: Marks): Promise<void> {
+  /** The viewer; started when it is first wanted. */
+  private viewer(): App {
+    if (this.app === null) {
+      this.app = new App(this.page.viewer, this.room);
+      window.scenelang = this.app.hook;
+      this.room.start(this.app);
+    }
+    return this.app;
+  }
+
+  private async show(marks: Marks, room: Promise<unknown> | null = null): Promise<void> {
     this.marks = marks;
     this.present();
     if (this.layout === null) return;
-    const data = await this.quick.ask<unknown>({ method: "room", known: this.room.known });
-    if (data === null) this.room.stale("The program has changed; it is shown again when there is a layout");
-    else await this.app.hook.load(this.room.whole(data));
+    if (!(await this.draw(room ?? this.ask()))) this.room.stale("The program has changed; it is shown again when there is a layout");
     this.hook.shown += 1;
+  }
+
+  /** Asks for the room as the module has it now; `null`: it has none. The plan is for where there is no 3D. */
+  private ask(): Promise<unknown> {
+    return this.quick.ask({ method: "room", known: this.room.known, plan: this.app?.in3d === false });
+  }
+
+  /** Shows a room; `false`: there is none. */
+  private async draw(room: Promise<unknown>): Promise<boolean> {
+    const data = this.room.whole(await room);
+    if (data === null) return false;
+    const viewer = this.viewer();
+    await viewer.hook.load(data);
+    // Without 3D, which may have been given up with this room, it comes again with its plan.
+    const { plan } = data as { readonly plan: string };
+    return viewer.in3d || plan !== "" ? true : this.draw(this.ask());
   }
 
   private present(): void {

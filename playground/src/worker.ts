@@ -1,7 +1,7 @@
 // A worker: one instance of the module, asked one thing after the other.
 //
 //   to it:    {module} once, then {id, request}
-//   from it:  {id, answer | error, broken}; `broken`: the instance has trapped, and answers no more
+//   from it:  {id, answer}, or {id, broken}: the instance has trapped, and answers no more
 
 import { type Ask, start } from "./engine.js";
 
@@ -20,8 +20,7 @@ async function answer(id: number, request: unknown): Promise<void> {
     const asked = await ask;
     self.postMessage({ id, answer: asked?.(request) });
   } catch (why) {
-    // An answer that is an error is an `Error`; anything else ended the instance.
-    const broken = why instanceof WebAssembly.RuntimeError || why instanceof RangeError;
-    self.postMessage({ id, error: broken ? "it is too much for this page" : why instanceof Error ? why.message : String(why), broken });
+    const tooMuch = why instanceof WebAssembly.RuntimeError || why instanceof RangeError;
+    self.postMessage({ id, broken: tooMuch ? "it is too much for this page" : why instanceof Error ? why.message : String(why) });
   }
 }

@@ -97,6 +97,11 @@ export class App implements Sink {
     load: (data) => this.take(() => readData(data)),
   };
 
+  /** Whether rooms are shown in 3D, and not as their plan. */
+  get in3d(): boolean {
+    return this.view !== null;
+  }
+
   load(data: unknown): void {
     void this.take(() => readData(data));
   }

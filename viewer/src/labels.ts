@@ -41,15 +41,14 @@ export class Labels {
     });
   }
 
-  /** Puts every tag where its anchor is seen. */
-  place(camera: Camera): void {
-    const { clientWidth, clientHeight } = this.host;
+  /** Puts every tag where its anchor is seen in a picture of a size. */
+  place(camera: Camera, [width, height]: readonly [number, number]): void {
     const point = new Vector3();
     for (const { tag, element } of this.placed) {
       point.copy(tag.anchor).project(camera);
       element.hidden = Math.abs(point.x) > 1.05 || Math.abs(point.y) > 1.05 || point.z > 1 || point.z < -1;
-      const x = Math.round(((point.x + 1) / 2) * clientWidth);
-      const y = Math.round(((1 - point.y) / 2) * clientHeight);
+      const x = Math.round(((point.x + 1) / 2) * width);
+      const y = Math.round(((1 - point.y) / 2) * height);
       element.style.transform = `translate(${x}px, ${y}px) translate(-50%, ${tag.kind === "region" || tag.kind === "gap" ? "-50%" : "-100%"})`;
     }
   }

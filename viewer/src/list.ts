@@ -110,6 +110,14 @@ export function aboutObject({ name, label, category }: SceneObject): string[] {
   return [...new Set([label, category])].filter((word) => word !== "" && word !== name);
 }
 
+/** Whether two rows are listed alike. */
+export function sameRow(a: Constraint | undefined, b: Constraint | undefined): boolean {
+  if (a === undefined || b === undefined) return a === b;
+  const { objects, ...rest } = a;
+  const same = objects.length === b.objects.length && objects.every((name, index) => name === b.objects[index]);
+  return same && (Object.keys(rest) as (keyof typeof rest)[]).every((key) => a[key] === b[key]);
+}
+
 /** How many of an object's rows fail. */
 export function failures(data: SceneData, object: SceneObject): number {
   return object.constraints.filter((row) => data.report.constraints[row]?.satisfied === false).length;

@@ -3,7 +3,7 @@
 
 import type { Constraint, SceneData, SceneObject } from "./data.js";
 import { el, icon, ICONS } from "./dom.js";
-import { aboutObject, counts, failures, type Filter, FILTERS, formatMargin, formatSize, headline, matching, type Verdict, verdict } from "./list.js";
+import { aboutObject, counts, failures, type Filter, FILTERS, formatMargin, formatSize, headline, matching, sameRow, type Verdict, verdict } from "./list.js";
 
 export interface Selection {
   /** A row of the report. */
@@ -38,8 +38,8 @@ export class Panel {
   private selection: Selection = { row: null, object: null };
   private filter: Filter = "all";
   private tab: Tab = "constraints";
-  /** List items of rows, by index, made when first listed: a long report is filtered without being built anew. */
-  private items = new Map<number, HTMLElement>();
+  /** List items of rows, by index, made when first listed: a long report is filtered, or comes again, without being built anew. */
+  private readonly items = new Map<number, HTMLElement>();
 
   constructor(private readonly events: PanelEvents) {
     const tab = (name: Tab, text: string) => {
@@ -60,8 +60,9 @@ export class Panel {
   }
 
   setData(data: SceneData): void {
+    const before = this.data?.report.constraints;
+    for (const index of this.items.keys()) if (!sameRow(before?.[index], data.report.constraints[index])) this.items.delete(index);
     this.data = data;
-    this.items = new Map();
     this.renderHead(data);
     this.renderNotes(data);
     this.render();
@@ -174,9 +175,18 @@ export class Panel {
     if (data === null) return;
     const focused = this.list.contains(document.activeElement) ? (document.activeElement as HTMLElement).dataset["key"] : undefined;
     const items = this.tab === "constraints" ? this.constraintItems(data) : this.objectItems(data);
-    this.list.replaceChildren(...(items.length > 0 ? items : [el("li.empty", {}, this.emptyText(data))]));
+    const shown = items.length > 0 ? items : [el("li.empty", {}, this.emptyText(data))];
+    this.put(shown);
     this.markCurrent();
     if (focused !== undefined) this.list.querySelector<HTMLElement>(`[data-key="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
+  }
+
+  /** Lists items. Those that stay are not touched, where no other moves: the page need not lay them out again. */
+  private put(shown: readonly HTMLElement[]): void {
+    const there = [...this.list.children];
+    const fresh = shown.flatMap((item, index) => (item === there[index] ? [] : [{ item, old: there[index] }]));
+    if (shown.length !== there.length || fresh.some(({ item }) => item.parentNode === this.list)) this.list.replaceChildren(...shown);
+    else for (const { item, old } of fresh) old?.replaceWith(item);
   }
 
   private constraintItems(data: SceneData): HTMLElement[] {

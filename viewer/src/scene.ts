@@ -12,7 +12,7 @@ import { type Ghost, Ghosts } from "./ghosts.js";
 import { Labels, type Tag } from "./labels.js";
 import { aboutObject, formatPoint, formatSize } from "./list.js";
 import { Marks } from "./marks.js";
-import { boundsOf, boundsOfAll, loadModel, type Model, place, putDown, toGl } from "./model.js";
+import { boundsOf, boundsOfAll, loadModel, type Model, place, putDown, samePlace, toGl } from "./model.js";
 import { Openings } from "./openings.js";
 import { Outline } from "./outline.js";
 import { Picker } from "./pick.js";
@@ -72,6 +72,8 @@ export class SceneView {
   private room: Room | null = null;
   /** Where the nodes stand, which while something is dragged is not where the data has them. */
   private readonly places = new Map<string, SceneObject>();
+  /** Of the picture; to ask the page for it would make it lay everything out. */
+  private size: readonly [number, number] = [0, 0];
   private highlighted: readonly string[] = [];
   private hovered: string | null = null;
   private tone: Tone = "selected";
@@ -161,15 +163,20 @@ export class SceneView {
 
   /** The same things in other places: nothing has to be built anew. */
   private rearrange(room: Room, data: SceneData): number {
+    let moved = false;
     for (const object of data.objects) {
       const [now, node] = [this.places.get(object.name), room.model.objects.get(object.name)];
-      if (now !== undefined && node !== undefined) place(node, now, object.pos, object.rot);
       this.places.set(object.name, object);
+      if (now === undefined || node === undefined || samePlace(now, object)) continue;
+      place(node, now, object.pos, object.rot);
+      moved = true;
     }
     room.data = data;
     this.ghosts.clear();
-    this.surroundings.aim(boundsOfAll(data, room.model));
-    this.renderer.shadowMap.needsUpdate = true;
+    if (moved) {
+      this.surroundings.aim(boundsOfAll(data, room.model));
+      this.renderer.shadowMap.needsUpdate = true;
+    }
     this.highlight([], "selected");
     return room.model.triangles;
   }
@@ -261,6 +268,8 @@ export class SceneView {
 
   /** Draws a frame at once. */
   draw(now = performance.now()): void {
+    // A frame that is due is this one.
+    cancelAnimationFrame(this.frame);
     this.frame = 0;
     const step = Math.min(1, (now - this.before) / 90);
     this.before = now;
@@ -271,7 +280,7 @@ export class SceneView {
     if (this.openings.update(now)) more = this.renderer.shadowMap.needsUpdate = true;
     this.renderer.render(this.scene, this.cameras.active);
     for (const outline of [this.alarm, this.outline]) outline.render(this.renderer, this.scene, this.cameras.active);
-    this.labels.place(this.cameras.active);
+    this.labels.place(this.cameras.active, this.size);
     if (more || camera !== this.cameras.active) this.invalidate();
   }
 
@@ -381,6 +390,7 @@ export class SceneView {
   private resize(): void {
     const { clientWidth, clientHeight } = this.host;
     if (clientWidth === 0 || clientHeight === 0) return;
+    this.size = [clientWidth, clientHeight];
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(clientWidth, clientHeight);
     this.cameras.resize(clientWidth, clientHeight);

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { fixtureData } from "./fixture.mjs";
 import { load } from "./load.mjs";
 
-const { aboutObject, counts, failures, formatMargin, formatPoint, formatSize, headline, matching } = await load("list.ts");
+const { aboutObject, counts, failures, formatMargin, formatPoint, formatSize, headline, matching, sameRow } = await load("list.ts");
 const { readData } = await load("data.ts");
 const data = readData(fixtureData());
 const object = (name) => data.objects.find((o) => o.name === name);
@@ -54,6 +54,14 @@ for (const [name, { filter = "all", words = "", object: of }, rows] of QUERIES)
 test("failures of an object", () => {
   assert.equal(failures(data, object("plant")), 2);
   assert.equal(failures(data, object("table")), 0);
+});
+
+test("rows that are listed alike", () => {
+  const [row] = data.report.constraints;
+  assert.ok(sameRow(row, structuredClone(row)));
+  assert.ok(sameRow(undefined, undefined));
+  for (const other of [undefined, { ...row, margin: 0.123 }, { ...row, place: "room.scene:99" }, { ...row, satisfied: null }, { ...row, objects: [...row.objects, "more"] }, { ...row, objects: row.objects.map(() => "other") }])
+    assert.ok(!sameRow(row, other), JSON.stringify(other));
 });
 
 /** A report of given rows, [kind, satisfied]. */

@@ -4,7 +4,7 @@
 //! The viewer is a script of its own (the `viewer` folder) that the build embeds where it is there; page and viewer
 //! agree on the data only: `scenelang.preview/1`.
 
-use crate::scene::{Object, Opening};
+use crate::scene::{Lamp, Object, Opening, Shell};
 use crate::{ExportError, Exporter, OutFile, Scene, glb, plan};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -48,7 +48,7 @@ fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
     // Only the viewer needs the geometry.
     let glb = if viewer.is_some() { STANDARD.encode(glb::in_pieces(scene)?) } else { String::new() };
     // In a script element `<` could begin its end; in JSON it can be written otherwise.
-    let mut data = data(scene, &glb);
+    let mut data = data(scene, &glb, true);
     data["report"] = scene.report.clone();
     let data = data.to_string().replace('<', "\\u003c");
     let script = viewer.unwrap_or(FALLBACK).replace("</script", "<\\/script");
@@ -69,31 +69,57 @@ fn page(scene: &Scene, viewer: Option<&str>) -> Result<String, ExportError> {
 
 /// What a page is told that is shown the scene again after every change: in its geometry all objects stand unturned at the
 /// origin, and `shape` names it. So it stays the same when things are only moved, and is not sent (`glb` is null) to who has
-/// the one that is `known`.
+/// the one that is `known`. A page that shows geometry needs no `plan`, which takes as long as the rest.
 ///
 /// # Errors
 /// The geometry cannot be written.
-pub fn live(mut scene: Scene, known: Option<&str>) -> Result<Value, ExportError> {
-    let mut told = data(&scene, "");
+pub fn live(mut scene: Scene, known: Option<&str>, plan: bool) -> Result<Value, ExportError> {
+    let mut told = data(&scene, "", plan);
     told["report"] = std::mem::take(&mut scene.report);
+    let lights = scene.objects.iter().flat_map(|object| &object.lights);
+    for (lamp, light) in scene.lamps.iter_mut().filter(|lamp| lamp.object.is_some()).zip(lights) {
+        lamp.pos = light.pos;
+    }
     for object in &mut scene.objects {
         (object.place.pos, object.axes) = (Vec3::zeros(), Matrix3::identity());
     }
     // What it was made of is for files.
     scene.program.clear();
     scene.layout_text.clear();
-    let glb = glb::in_pieces(&scene)?;
-    let mut hasher = DefaultHasher::new();
-    glb.hash(&mut hasher);
-    let shape = format!("{:016x}", hasher.finish());
-    told["glb"] = if known == Some(shape.as_str()) { Value::Null } else { STANDARD.encode(glb).into() };
+    let shape = shape(&scene);
+    told["glb"] =
+        if known == Some(shape.as_str()) { Value::Null } else { STANDARD.encode(glb::in_pieces(&scene)?).into() };
     told["shape"] = shape.into();
     Ok(told)
 }
 
+/// Names the geometry of a scene by what it is made from, so that nothing has to be written to know whether it is the same.
+fn shape(scene: &Scene) -> String {
+    let mut hasher = DefaultHasher::new();
+    scene.name.hash(&mut hasher);
+    for object in &scene.objects {
+        (&object.name, &object.category, &object.label, object.look).hash(&mut hasher);
+        for joint in &object.place.joints {
+            (&joint.name, &joint.parts).hash(&mut hasher);
+            joint.axis.iter().for_each(|x| x.to_bits().hash(&mut hasher));
+        }
+    }
+    for Shell { name, region, role, group, .. } in &scene.shells {
+        (name, region, std::mem::discriminant(role), &group.indices).hash(&mut hasher);
+        format!("{:?}", scene.surfaces[group.surface]).hash(&mut hasher);
+        let vertices = group.positions.iter().chain(&group.normals).flatten().chain(group.uvs.iter().flatten());
+        vertices.for_each(|x| x.to_bits().hash(&mut hasher));
+    }
+    for Lamp { name, object, pos, range, color, candela } in &scene.lamps {
+        (name, object, color.map(f32::to_bits)).hash(&mut hasher);
+        pos.iter().chain([range, candela]).for_each(|x| x.to_bits().hash(&mut hasher));
+    }
+    format!("{:016x}", hasher.finish())
+}
+
 /// What the page is told, `scenelang.preview/1`, but for the report, which is most of it and need not be copied by all.
 /// Places are in the layout's frame; `constraints` are rows of the report.
-fn data(scene: &Scene, glb: &str) -> Value {
+fn data(scene: &Scene, glb: &str, plan: bool) -> Value {
     let triple = |v: Vec3| [v.x, v.y, v.z];
     let objects: Vec<Value> = scene
         .objects
@@ -115,7 +141,8 @@ fn data(scene: &Scene, glb: &str) -> Value {
         })
         .collect();
     json!({
-        "format": "scenelang.preview/1", "name": scene.name, "glb": glb, "plan": plan::svg(scene),
+        "format": "scenelang.preview/1", "name": scene.name, "glb": glb,
+        "plan": if plan { plan::svg(scene) } else { String::new() },
         "report": null, "objects": objects, "regions": regions,
     })
 }

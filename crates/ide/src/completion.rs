@@ -4,6 +4,7 @@
 use crate::Snapshot;
 use crate::hover;
 use crate::names::declared_kind;
+use scenelang_assets as assets;
 use scenelang_base::TextRange;
 use scenelang_lang::ast::StmtKind;
 use scenelang_lang::chunk::{Chunk, cut};
@@ -18,19 +19,8 @@ use scenelang_lang::token::{Kind, Token, UNITS, lex};
 use scenelang_lang::types::Ty;
 use smol_str::SmolStr;
 
-/// Words that others know: what assets there are, and colours, and files.
-pub trait Vocabulary {
-    /// Names of colours.
-    fn colors(&self) -> Vec<&str>;
-    /// What a text of a colour looks like.
-    fn color(&self, text: &str) -> Option<[u8; 3]>;
-    /// Names of materials.
-    fn materials(&self) -> Vec<&str>;
-    /// Categories that there are assets for.
-    fn categories(&self) -> Vec<&str>;
-    /// Paths of programs that could be imported.
-    fn imports(&self) -> Vec<String>;
-}
+/// Paths of programs that could be imported, for whoever asks.
+pub type Imports<'a> = &'a dyn Fn() -> Vec<String>;
 
 /// What a proposal is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,12 +83,7 @@ pub struct Proposals {
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn complete(
-    snapshot: &Snapshot,
-    vocabulary: &dyn Vocabulary,
-    offset: u32,
-    asked: bool,
-) -> Result<Proposals, Cancelled> {
+pub fn complete(snapshot: &Snapshot, imports: Imports<'_>, offset: u32, asked: bool) -> Result<Proposals, Cancelled> {
     let text = snapshot.text();
     // The statement is enough; half a one that runs into the next is read as such.
     let (start, part) = surroundings(text, offset);
@@ -134,12 +119,12 @@ pub fn complete(
         }
         Expects::Text { written } => {
             replaces = written.shifted(start);
-            at.texts(vocabulary);
+            at.texts();
         }
         Expects::ImportPath { written } => {
             replaces = written.shifted(start);
             let quoted = part.get(..written.start as usize).is_some_and(|before| before.ends_with('"'));
-            for path in vocabulary.imports() {
+            for path in imports() {
                 let snippet = (!quoted).then(|| format!("\"{path}\""));
                 at.add(Proposal {
                     label: path,
@@ -490,18 +475,18 @@ impl At<'_> {
     }
 
     /// Texts of the property that the string is given to or compared with.
-    fn texts(&mut self, vocabulary: &dyn Vocabulary) {
+    fn texts(&mut self) {
         let tokens = self.before();
         let words =
             ["category", "color", "floorColor", "wallColor", "material", "floorMaterial", "wallMaterial", "role"];
         let property = tokens.iter().rev().map(|t| self.slice(t).to_owned()).find(|w| words.contains(&w.as_str()));
         let colour = self.is_color_variable(&tokens);
         match property.as_deref() {
-            Some("category") => self.words(&vocabulary.categories(), Sort::Text),
+            Some("category") => self.words(&assets::categories().collect::<Vec<_>>(), Sort::Text),
             Some("role") => self.words(&roles::all().collect::<Vec<_>>(), Sort::Text),
-            Some(p) if p.ends_with("aterial") => self.words(&vocabulary.materials(), Sort::Text),
-            Some(_) => self.words(&vocabulary.colors(), Sort::Color),
-            None if colour => self.words(&vocabulary.colors(), Sort::Color),
+            Some(p) if p.ends_with("aterial") => self.words(&assets::material_names().collect::<Vec<_>>(), Sort::Text),
+            Some(_) => self.words(&assets::color_names().collect::<Vec<_>>(), Sort::Color),
+            None if colour => self.words(&assets::color_names().collect::<Vec<_>>(), Sort::Color),
             None => {}
         }
     }

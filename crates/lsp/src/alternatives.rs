@@ -40,6 +40,7 @@ pub fn alternatives(job: &Job, first: u64) -> Result<Value, Fault> {
             text: &layout_file::to_json(&layout, None),
             verdict: &verdict,
             options: &job.judging.options,
+            looks: &job.looks,
         };
         let plan = picture.plan()?;
         found.push((total - holds, json!({ "seed": seed, "holds": holds, "total": total, "plan": plan })));

@@ -9,6 +9,7 @@ use crate::state::State;
 use crate::text::Text;
 use scenelang_analysis::Found;
 use scenelang_base::{FileId, TextRange};
+use scenelang_export::scene::Memory;
 use scenelang_ide::{Cancelled, Snapshot};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -43,6 +44,8 @@ pub struct Context {
     pub config: Arc<Config>,
     /// The semantic tokens that were sent last, with the number of that answer.
     pub tokens: Tokens,
+    /// What the objects of its room look like.
+    pub looks: Arc<Memory>,
     /// Addresses of open documents.
     pub open: BTreeMap<PathBuf, Uri>,
     /// Versions of open documents.

@@ -10,6 +10,7 @@ use crate::state::{Event, State, guarded};
 use crate::text::{Encoding, Text};
 use scenelang_analysis::Found;
 use scenelang_base::door::Door;
+use scenelang_export::scene::Memory;
 use scenelang_ide::Host;
 use scenelang_lang::sources::{Loader, normal};
 use scenelang_verify::settings::Settings;
@@ -78,6 +79,8 @@ pub struct Scene {
     opening: u64,
     /// The semantic tokens that were sent last.
     pub tokens: Tokens,
+    /// What the objects of its room look like.
+    pub looks: Arc<Memory>,
 }
 
 /// All open documents by their address.
@@ -139,6 +142,7 @@ impl Documents {
                 read_at: None,
                 opening: self.openings,
                 tokens: Tokens::default(),
+                looks: Arc::default(),
             };
             if let Some(document) = self.open.get_mut(&key) {
                 document.scene = Some(scene);

@@ -11,6 +11,7 @@ use scenelang_base::door::relative;
 use scenelang_base::owned::{self, Standing};
 use scenelang_base::{Edit, FileId, SourceMap};
 use scenelang_engine::check_read;
+use scenelang_export::scene::Memory;
 use scenelang_ide::{Compiled, LayoutFile};
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_verify::settings::Llm;
@@ -52,6 +53,8 @@ pub struct Job {
     pub stop: Stop,
     /// Where progress is told.
     pub progress: Progress,
+    /// What the objects of its room look like.
+    pub looks: Arc<Memory>,
     /// How a language model is reached.
     pub advisers: Advisers,
     text: Arc<Text>,
@@ -344,7 +347,8 @@ fn job_of(
     if !compiled.complete {
         return Err(Fault::Failed("the program has errors; fix these first".to_owned()));
     }
-    let Context { path, text, snapshot, layout: layout_path, settings, client, open, versions, files, .. } = context;
+    let Context { path, text, snapshot, layout: layout_path, settings, client, looks, open, versions, files, .. } =
+        context;
     if settings.is_broken() {
         return Err(Fault::Failed("scenelang.toml has errors; fix these first".to_owned()));
     }
@@ -366,6 +370,7 @@ fn job_of(
         files,
         stop,
         progress,
+        looks,
         advisers,
         text,
         open,

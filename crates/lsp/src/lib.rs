@@ -19,6 +19,7 @@ mod documents;
 mod drag;
 mod features;
 mod frames;
+mod imports;
 mod jobs;
 mod model;
 mod pages;
@@ -36,7 +37,6 @@ mod shelf;
 mod state;
 mod text;
 mod trace;
-mod vocabulary;
 mod wire;
 
 pub use client::Named;

@@ -4,6 +4,7 @@ use crate::commands::count;
 use crate::convert::Places;
 use crate::dispatch::Fault;
 use scenelang_base::{FileId, SourceMap};
+use scenelang_export::scene::Memory;
 use scenelang_export::{Scene, SceneInput, plan, preview};
 use scenelang_lang::program::Program;
 use scenelang_layout::Layout;
@@ -31,6 +32,8 @@ pub struct Picture<'a> {
     pub verdict: &'a Verdict,
     /// How that was judged.
     pub options: &'a Options,
+    /// What its objects look like, as far as that is known.
+    pub looks: &'a Memory,
 }
 
 impl Picture<'_> {
@@ -55,7 +58,7 @@ impl Picture<'_> {
         });
         let rows: Vec<Value> = rows.collect();
         let report = serde_json::to_value(&report).map_err(|_| Fault::Internal)?;
-        let data = self.scene(&report).and_then(|scene| preview::live(scene, known).ok());
+        let data = self.scene(&report).and_then(|scene| preview::live(scene, known, true).ok());
         let [holds, total] = count(self.verdict);
         let mut out = json!({ "holds": holds, "total": total });
         // The macro would copy these, and they are large.
@@ -88,6 +91,6 @@ impl Picture<'_> {
             layout_text: self.text,
             report,
         };
-        Scene::build(&input).ok()
+        Scene::remembered(&input, self.looks).ok()
     }
 }

@@ -78,6 +78,7 @@ fn room(job: &Job, known: Option<&str>) -> Result<(Layout, Value), Fault> {
         text: &layout_file::to_json(&layout, None),
         verdict: &verdict,
         options: &job.judging.options,
+        looks: &job.looks,
     };
     let answer = picture.value(&job.places(), known)?;
     Ok((layout, answer))

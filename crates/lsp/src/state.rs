@@ -325,6 +325,7 @@ impl State {
             client: Arc::clone(&self.client),
             config: Arc::clone(&self.config),
             tokens: Arc::clone(&scene.tokens),
+            looks: Arc::clone(&scene.looks),
             open,
             versions,
             files: self.documents.files(),

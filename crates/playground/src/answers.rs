@@ -2,7 +2,6 @@
 
 use crate::offsets::Offsets;
 use crate::session::{Open, Refused, cancelled};
-use crate::words::Words;
 use scenelang_base::{Diagnostic, Label, codes};
 use scenelang_ide::completion::{Proposal, Sort, complete};
 use scenelang_ide::diagnostics::diagnostics;
@@ -87,7 +86,8 @@ pub fn proofs(open: &Open) -> Result<Value, Refused> {
 pub fn completion(open: &Open, at: u32, asked: bool) -> Result<Value, Refused> {
     let snapshot = open.host.snapshot();
     let offsets = Offsets::new(snapshot.text());
-    let found = complete(&snapshot, &Words, offsets.byte(at), asked).map_err(cancelled)?;
+    // There are no other files that could be imported.
+    let found = complete(&snapshot, &Vec::new, offsets.byte(at), asked).map_err(cancelled)?;
     let [from, to] = offsets.range(found.replaces);
     let list: Vec<Value> = found.list.into_iter().map(proposal).collect();
     Ok(json!({ "from": from, "to": to, "list": list }))

@@ -15,7 +15,6 @@ mod offsets;
 mod request;
 mod room;
 mod session;
-mod words;
 
 pub use offsets::Offsets;
 pub use session::Session;

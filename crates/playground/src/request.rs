@@ -12,8 +12,8 @@ pub enum Request {
     Edit { text: String },
     /// Another layout.
     Layout { text: Option<String> },
-    /// What a viewer shows; the geometry is left out if it has the shape that is `known`.
-    Room { known: Option<String> },
+    /// What a viewer shows; the geometry is left out if it has the shape that is `known`, and the plan if it is not wanted.
+    Room { known: Option<String>, plan: bool },
     /// What could be written at an offset; `asked`: somebody wants to know, and did not just type.
     Complete { at: u32, asked: bool },
     /// More about a proposal.

@@ -20,12 +20,12 @@ use std::sync::Arc;
 const NO_LAYOUT: &str = "there is no layout yet";
 
 /// The room, `scenelang.preview/1`; `null`: there is no layout that can be shown.
-pub fn shown(open: &Open, known: Option<&str>) -> Result<Value, Refused> {
+pub fn shown(open: &Open, known: Option<&str>, plan: bool) -> Result<Value, Refused> {
     let snapshot = open.host.snapshot();
     let Some((judged, layout)) = judged(&snapshot)? else { return Ok(Value::Null) };
     // A layout that lacks something cannot be drawn; that is marked in the program.
     let Ok(scene) = scene(open, &snapshot, &judged, layout) else { return Ok(Value::Null) };
-    preview::live(scene, known).map_err(|e| e.to_string())
+    preview::live(scene, known, plan).map_err(|e| e.to_string())
 }
 
 fn judged(snapshot: &Snapshot) -> Result<Option<(Arc<Judged>, &LayoutFile)>, Refused> {
@@ -49,7 +49,7 @@ fn scene(open: &Open, snapshot: &Snapshot, judged: &Judged, layout: &LayoutFile)
         layout_text: sources.get(layout.file).text(),
         report: &report,
     };
-    Scene::build(&input).map_err(|e| e.to_string())
+    Scene::remembered(&input, &open.looks).map_err(|e| e.to_string())
 }
 
 /// What holds if an object is put elsewhere, and the text of that layout.

@@ -5,6 +5,7 @@ use crate::files::{Alone, layout_name};
 use crate::make;
 use crate::request::Request;
 use crate::room;
+use scenelang_export::scene::Memory;
 use scenelang_ide::{Cancelled, Host};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -19,6 +20,8 @@ pub struct Session {
 pub(crate) struct Open {
     pub(crate) host: Host,
     pub(crate) name: String,
+    /// What its objects look like.
+    pub(crate) looks: Memory,
 }
 
 /// Why a request has no answer.
@@ -48,20 +51,20 @@ impl Session {
             Request::Open { name, text, layout } => {
                 let mut host = Host::new(&name, Path::new(&name), &text, &Alone { name: &name, text: &text });
                 put_layout(&mut host, &name, layout);
-                self.open = Some(Open { host, name });
+                self.open = Some(Open { host, name, looks: Memory::default() });
                 answers::marks(self.open()?)
             }
             Request::Edit { text } => {
-                let Open { host, name } = self.open_mut()?;
+                let Open { host, name, .. } = self.open_mut()?;
                 host.set_text(&text, &Alone { name, text: &text });
                 answers::marks(self.open()?)
             }
             Request::Layout { text } => {
-                let Open { host, name } = self.open_mut()?;
+                let Open { host, name, .. } = self.open_mut()?;
                 put_layout(host, name, text);
                 answers::marks(self.open()?)
             }
-            Request::Room { known } => room::shown(self.open()?, known.as_deref()),
+            Request::Room { known, plan } => room::shown(self.open()?, known.as_deref(), plan),
             Request::Complete { at, asked } => answers::completion(self.open()?, at, asked),
             Request::Describe { about } => Ok(scenelang_ide::completion::describe(&about).into()),
             Request::Hover { at } => answers::hover(self.open()?, at),

@@ -1,162 +1,126 @@
-//! Food and what holds it: fruit, sandwiches and cakes, jars, shakers, spoons and ladles, a mortar, a dome of glass.
+//! Food and what holds it: fruit, sandwiches and cakes, jars, shakers, a mortar, a dome of glass.
 
-use super::strokes::{at, blade, cone, long, of, pearl, small};
+use super::strokes::{at, of, pearl, small};
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
 use crate::model::Model;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// Fruit with a stalk, each in its own shape and colour.
 pub(super) fn apple(a: &Ask) -> Model {
-    let stalk = of(Finish::Wood, 0x5f4426);
-    let leaf = stuff::LEAF.surface();
     let skin = |color: u32| a.main(Stuff(Finish::Ceramic, color));
     small(a, |mesh| {
-        let round = |mesh: &mut Mesh, y: std::ops::Range<f64>, profile: &[(f64, f64)], s: &Surface| {
-            mesh.lathe(block(-1.0..1.0, y, -1.0..1.0), profile, 24, s);
-        };
         if a.says(&["pear"]) {
-            round(
-                mesh,
-                0.0..2.4,
-                &[
-                    (0.3, 0.0),
-                    (0.8, 0.06),
-                    (1.0, 0.25),
-                    (0.92, 0.42),
-                    (0.62, 0.6),
-                    (0.46, 0.78),
-                    (0.38, 0.92),
-                    (0.12, 1.0),
-                ],
-                &skin(0xb9b23c),
-            );
-            mesh.tube(&[at(0.0, 2.35, 0.0), at(0.05, 2.6, 0.0), at(0.12, 2.75, 0.0)], 0.06, &stalk);
+            pear(mesh, &skin(0xb9b23c));
         } else if a.says(&["pineapple"]) {
-            round(
-                mesh,
-                0.0..2.4,
-                &[(0.6, 0.0), (0.9, 0.1), (1.0, 0.4), (0.95, 0.7), (0.7, 0.93), (0.3, 1.0)],
-                &skin(0xc9912e),
-            );
-            for k in 0..30 {
-                let (y, turn) =
-                    (0.3 + 0.42 * f64::from(k / 6), TAU * (f64::from(k % 6) + 0.5 * f64::from(k / 6 % 2)) / 6.0);
-                let (sin, cos) = turn.sin_cos();
-                pearl(
-                    mesh,
-                    block(-0.16..0.16, -0.16..0.16, -0.16..0.16).moved(0.88 * cos, y, 0.88 * sin),
-                    &of(Finish::Ceramic, 0x9a6a22),
-                );
-            }
-            for k in 0..14 {
-                let (sin, cos) = (f64::from(k) * 2.4).sin_cos();
-                let out = 0.2 + 0.05 * f64::from(k);
-                let path = [
-                    (at(0.1 * cos, 2.3, 0.1 * sin), 0.16, 0.04),
-                    (at(0.6 * out * cos, 3.0, 0.6 * out * sin), 0.14, 0.04),
-                    (at(out * cos, 4.3 - 1.2 * out, out * sin), 0.02, 0.01),
-                ];
-                mesh.sweep(&path, at(cos, 0.2, sin), 6, &leaf);
-            }
+            pineapple(mesh, &skin(0xc9912e));
         } else if a.says(&["watermelon", "melon"]) {
-            let green = skin(0x2f6a35);
-            round(mesh, 0.0..2.0, &crate::shapes::sphere(14), &green);
-            for k in 0..5 {
-                mesh.place(at(0.0, 1.0, 0.0), [90.0, 36.0 * f64::from(k) + 11.0, 0.0], |mesh| {
-                    mesh.torus(block(-1.005..1.005, -0.09..0.09, -1.005..1.005), 0.06, &shade(&green, 1.6));
-                });
-            }
+            melon(mesh, &skin(0x2f6a35));
         } else if a.says(&["pumpkin", "squash"]) {
-            let orange = skin(if a.says(&["squash"]) { 0xd9a441 } else { 0xd9762b });
-            for k in 0..10 {
-                let (sin, cos) = (TAU * f64::from(k) / 10.0).sin_cos();
-                mesh.ball(block(-0.42..0.42, 0.0..1.6, -0.42..0.42).moved(0.58 * cos, 0.0, 0.58 * sin), &orange);
-            }
-            mesh.tube(
-                &[at(0.0, 1.2, 0.0), at(0.0, 1.65, 0.0), at(0.14, 1.86, 0.05)],
-                0.13,
-                &of(Finish::Leaf, 0x6d7a34),
-            );
+            pumpkin(mesh, &skin(if a.says(&["squash"]) { 0xd9a441 } else { 0xd9762b }));
         } else if a.says(&["tomato"]) {
-            round(
-                mesh,
-                0.0..1.6,
-                &[(0.4, 0.0), (0.85, 0.1), (1.0, 0.42), (0.9, 0.75), (0.5, 0.97), (0.14, 0.92)],
-                &skin(0xcf3526),
-            );
-            for k in 0..5 {
-                let (sin, cos) = (TAU * f64::from(k) / 5.0).sin_cos();
-                let path = [
-                    (at(0.0, 1.56, 0.0), 0.1, 0.03),
-                    (at(0.35 * cos, 1.62, 0.35 * sin), 0.1, 0.03),
-                    (at(0.62 * cos, 1.5, 0.62 * sin), 0.01, 0.01),
-                ];
-                mesh.sweep(&path, at(0.0, 1.0, 0.0), 6, &leaf);
-            }
-            mesh.rod(at(0.0, 1.5, 0.0), at(0.0, 1.75, 0.0), 0.06, &leaf);
+            tomato(mesh, &skin(0xcf3526));
+        } else if a.says(&["peach", "apricot"]) {
+            round_fruit(mesh, &skin(0xe59a5f));
         } else {
-            let peach = a.says(&["peach", "apricot"]);
-            let color = if peach {
-                0xe59a5f
-            } else if a.says(&["lemon"]) {
-                0xe8cf3f
-            } else {
-                0xb92f2a
-            };
-            let form: &[(f64, f64)] = &[
-                (0.3, 0.03),
-                (0.62, 0.0),
-                (0.9, 0.22),
-                (1.0, 0.55),
-                (0.93, 0.82),
-                (0.62, 0.98),
-                (0.3, 0.97),
-                (0.08, 0.84),
-            ];
-            round(mesh, 0.0..1.75, form, &skin(color));
-            mesh.tube(&[at(0.0, 1.45, 0.0), at(0.03, 1.8, 0.0), at(0.12, 2.05, 0.0)], 0.05, &stalk);
-            let path = [
-                (at(0.02, 1.78, 0.0), 0.03, 0.02),
-                (at(0.32, 1.98, 0.08), 0.17, 0.03),
-                (at(0.66, 2.0, 0.14), 0.01, 0.01),
-            ];
-            mesh.sweep(&path, at(0.0, 1.0, 0.0), 8, &leaf);
+            round_fruit(mesh, &skin(if a.says(&["lemon"]) { 0xe8cf3f } else { 0xb92f2a }));
         }
     })
+}
+
+/// A round body of radius 1.
+fn body(mesh: &mut Mesh, y: Range<f64>, profile: &[(f64, f64)], s: &Surface) {
+    mesh.lathe(block(-1.0..1.0, y, -1.0..1.0), profile, 24, s);
+}
+
+fn stalk() -> Surface {
+    of(Finish::Wood, 0x5f4426)
+}
+
+fn pear(mesh: &mut Mesh, skin: &Surface) {
+    let profile =
+        [(0.3, 0.0), (0.8, 0.06), (1.0, 0.25), (0.92, 0.42), (0.62, 0.6), (0.46, 0.78), (0.38, 0.92), (0.12, 1.0)];
+    body(mesh, 0.0..2.4, &profile, skin);
+    mesh.tube(&[at(0.0, 2.35, 0.0), at(0.05, 2.6, 0.0), at(0.12, 2.75, 0.0)], 0.06, &stalk());
+}
+
+fn pineapple(mesh: &mut Mesh, skin: &Surface) {
+    let profile = [(0.6, 0.0), (0.9, 0.1), (1.0, 0.4), (0.95, 0.7), (0.7, 0.93), (0.3, 1.0)];
+    body(mesh, 0.0..2.4, &profile, skin);
+    for k in 0..30 {
+        let (y, turn) = (0.3 + 0.42 * f64::from(k / 6), TAU * (f64::from(k % 6) + 0.5 * f64::from(k / 6 % 2)) / 6.0);
+        let (sin, cos) = turn.sin_cos();
+        let eye = block(-0.16..0.16, -0.16..0.16, -0.16..0.16).moved(0.88 * cos, y, 0.88 * sin);
+        pearl(mesh, eye, &of(Finish::Ceramic, 0x9a6a22));
+    }
+    for k in 0..14 {
+        let (sin, cos) = (f64::from(k) * 2.4).sin_cos();
+        let out = 0.2 + 0.05 * f64::from(k);
+        let leaf = [
+            (at(0.1 * cos, 2.3, 0.1 * sin), 0.16, 0.04),
+            (at(0.6 * out * cos, 3.0, 0.6 * out * sin), 0.14, 0.04),
+            (at(out * cos, 4.3 - 1.2 * out, out * sin), 0.02, 0.01),
+        ];
+        mesh.sweep(&leaf, at(cos, 0.2, sin), 6, &stuff::LEAF.surface());
+    }
+}
+
+/// A ball with stripes from pole to pole.
+fn melon(mesh: &mut Mesh, skin: &Surface) {
+    body(mesh, 0.0..2.0, &crate::shapes::sphere(14), skin);
+    for k in 0..5 {
+        mesh.place(at(0.0, 1.0, 0.0), [90.0, 36.0 * f64::from(k) + 11.0, 0.0], |mesh| {
+            mesh.torus(block(-1.005..1.005, -0.09..0.09, -1.005..1.005), 0.06, &shade(skin, 1.6));
+        });
+    }
+}
+
+/// Ribs round the middle, and a stalk.
+fn pumpkin(mesh: &mut Mesh, skin: &Surface) {
+    for k in 0..10 {
+        let (sin, cos) = (TAU * f64::from(k) / 10.0).sin_cos();
+        mesh.ball(block(-0.42..0.42, 0.0..1.6, -0.42..0.42).moved(0.58 * cos, 0.0, 0.58 * sin), skin);
+    }
+    let stalk = [at(0.0, 1.2, 0.0), at(0.0, 1.65, 0.0), at(0.14, 1.86, 0.05)];
+    mesh.tube(&stalk, 0.13, &of(Finish::Leaf, 0x6d7a34));
+}
+
+fn tomato(mesh: &mut Mesh, skin: &Surface) {
+    let leaf = stuff::LEAF.surface();
+    let profile = [(0.4, 0.0), (0.85, 0.1), (1.0, 0.42), (0.9, 0.75), (0.5, 0.97), (0.14, 0.92)];
+    body(mesh, 0.0..1.6, &profile, skin);
+    for k in 0..5 {
+        let (sin, cos) = (TAU * f64::from(k) / 5.0).sin_cos();
+        let path = [
+            (at(0.0, 1.56, 0.0), 0.1, 0.03),
+            (at(0.35 * cos, 1.62, 0.35 * sin), 0.1, 0.03),
+            (at(0.62 * cos, 1.5, 0.62 * sin), 0.01, 0.01),
+        ];
+        mesh.sweep(&path, at(0.0, 1.0, 0.0), 6, &leaf);
+    }
+    mesh.rod(at(0.0, 1.5, 0.0), at(0.0, 1.75, 0.0), 0.06, &leaf);
+}
+
+/// An apple, a peach or a lemon: with a hollow for the stalk, and one leaf.
+fn round_fruit(mesh: &mut Mesh, skin: &Surface) {
+    let profile =
+        [(0.3, 0.03), (0.62, 0.0), (0.9, 0.22), (1.0, 0.55), (0.93, 0.82), (0.62, 0.98), (0.3, 0.97), (0.08, 0.84)];
+    body(mesh, 0.0..1.75, &profile, skin);
+    mesh.tube(&[at(0.0, 1.45, 0.0), at(0.03, 1.8, 0.0), at(0.12, 2.05, 0.0)], 0.05, &stalk());
+    let leaf =
+        [(at(0.02, 1.78, 0.0), 0.03, 0.02), (at(0.32, 1.98, 0.08), 0.17, 0.03), (at(0.66, 2.0, 0.14), 0.01, 0.01)];
+    mesh.sweep(&leaf, at(0.0, 1.0, 0.0), 8, &stuff::LEAF.surface());
 }
 
 /// What is eaten from the hand or a plate: a sandwich, a hamburger, a pie, pancakes, a cookie, a wheel of cheese.
 pub(super) fn sandwich(a: &Ask) -> Model {
     let crust = a.main(Stuff(Finish::Ceramic, 0xc98f4a));
-    let disc = |mesh: &mut Mesh, r: f64, y: std::ops::Range<f64>, s: &Surface| {
-        mesh.lathe(block(-r..r, y, -r..r), &[(0.9, 0.0), (1.0, 0.3), (1.0, 0.7), (0.9, 1.0)], 24, s);
-    };
-    let (green, red, brown) = (stuff::LEAF.surface(), of(Finish::Ceramic, 0xcf3526), of(Finish::Ceramic, 0x5a3520));
     small(a, |mesh| {
         if a.says(&["hamburger", "burger"]) {
-            disc(mesh, 0.94, 0.0..0.24, &crust);
-            disc(mesh, 1.0, 0.24..0.44, &brown);
-            mesh.crisp(block(-0.78..0.78, 0.44..0.48, -0.78..0.78), &of(Finish::Ceramic, 0xeab93c));
-            disc(mesh, 0.98, 0.48..0.56, &red);
-            disc(mesh, 1.05, 0.55..0.62, &green);
-            mesh.lathe(
-                block(-0.96..0.96, 0.61..1.2, -0.96..0.96),
-                &[(0.97, 0.0), (1.0, 0.15), (0.92, 0.5), (0.6, 0.86), (0.0, 1.0)],
-                24,
-                &crust,
-            );
-            for k in 0..14 {
-                let r = 0.2 + 0.04 * f64::from(k);
-                let (sin, cos) = (f64::from(k) * 2.4).sin_cos();
-                let y = 0.6 + 0.6 * (1.0 - (r / 1.0).powi(2)).sqrt();
-                mesh.bead(
-                    block(-0.05..0.05, -0.03..0.05, -0.05..0.05).moved(r * cos, y, r * sin),
-                    &stuff::SHEET.surface(),
-                );
-            }
+            hamburger(mesh, &crust);
         } else if a.says(&["pancake"]) {
             for k in 0..3 {
                 let y = 0.2 * f64::from(k);
@@ -168,57 +132,93 @@ pub(super) fn sandwich(a: &Ask) -> Model {
             for k in 0..11 {
                 let r = 0.26 * f64::from(k).sqrt();
                 let (sin, cos) = (f64::from(k) * 2.4).sin_cos();
-                mesh.bead(block(-0.11..0.11, 0.24..0.38, -0.11..0.11).moved(r * cos, 0.0, r * sin), &brown);
+                let chip = block(-0.11..0.11, 0.24..0.38, -0.11..0.11).moved(r * cos, 0.0, r * sin);
+                mesh.bead(chip, &of(Finish::Ceramic, CHOCOLATE));
             }
         } else if a.says(&["cheese"]) {
-            let rind = a.main(Stuff(Finish::Ceramic, 0xd9a132));
-            // A wheel with a slice taken out.
-            const N: i32 = 20;
-            for k in 0..N - 3 {
-                let point = |k: i32| {
-                    let (sin, cos) = (TAU * f64::from(k) / f64::from(N)).sin_cos();
-                    (cos, sin)
-                };
-                mesh.extrude(1, &[(0.0, 0.0), point(k), point(k + 1)], 0.0..0.8, &rind);
-            }
-            for turn in [0, N - 3] {
-                let degrees = 360.0 * f64::from(turn) / f64::from(N);
-                let side = if turn == 0 { 0.0..0.015 } else { -0.015..0.0 };
-                // At no turn the edge of the slice lies along z.
-                mesh.place(at(0.0, 0.0, 0.0), [0.0, degrees, 0.0], |mesh| {
-                    mesh.crisp(block(-side.end..-side.start, 0.03..0.77, 0.03..0.97), &shade(&rind, 1.9));
-                });
-            }
+            cheese(mesh, &a.main(Stuff(Finish::Ceramic, 0xd9a132)));
         } else if a.says(&["pie", "cake", "tart", "quiche"]) {
-            mesh.lathe(
-                block(-1.0..1.0, 0.0..0.42, -1.0..1.0),
-                &[(0.78, 0.0), (1.0, 1.0), (0.9, 1.0), (0.86, 0.8)],
-                24,
-                &stuff::STEEL.surface(),
-            );
-            mesh.torus(block(-1.0..1.0, 0.36..0.56, -1.0..1.0), 0.16, &crust);
-            mesh.drum(block(-0.88..0.88, 0.3..0.43, -0.88..0.88), &of(Finish::Ceramic, 0xa8352c));
-            for k in -2..=2 {
-                let t = 0.32 * f64::from(k);
-                let half = (0.84_f64.powi(2) - t * t).sqrt();
-                mesh.rounded(block(t - 0.08..t + 0.08, 0.4..0.5, -half..half), 0.02, 1, &crust);
-                mesh.rounded(block(-half..half, 0.42..0.53, t - 0.08..t + 0.08), 0.02, 1, &crust);
-            }
+            pie(mesh, &crust);
         } else {
-            let bread = of(Finish::Ceramic, 0xe6c88f);
-            let slice = |mesh: &mut Mesh, low: f64, half: f64, high: f64, s: &Surface| {
-                mesh.extrude(1, &[(-half, -half), (-half, half), (half, half), (half, -half)], low..low + high, s);
-            };
-            for low in [0.0, 0.7] {
-                slice(mesh, low, 1.0, 0.34, &crust);
-                slice(mesh, low - 0.01, 0.93, 0.36, &bread);
-            }
-            slice(mesh, 0.34, 0.96, 0.1, &green);
-            slice(mesh, 0.44, 0.9, 0.1, &of(Finish::Ceramic, 0xeab93c));
-            slice(mesh, 0.54, 0.98, 0.09, &of(Finish::Ceramic, 0xe0908a));
-            slice(mesh, 0.62, 0.94, 0.09, &green);
+            slices(mesh, &crust);
         }
     })
+}
+
+const CHOCOLATE: u32 = 0x5a3520;
+const TOMATO: u32 = 0xcf3526;
+
+/// A flat round thing whose edge is broken.
+fn disc(mesh: &mut Mesh, r: f64, y: Range<f64>, s: &Surface) {
+    mesh.lathe(block(-r..r, y, -r..r), &[(0.9, 0.0), (1.0, 0.3), (1.0, 0.7), (0.9, 1.0)], 24, s);
+}
+
+/// The two halves of a bun with what is between them, and sesame on top.
+fn hamburger(mesh: &mut Mesh, crust: &Surface) {
+    disc(mesh, 0.94, 0.0..0.24, crust);
+    disc(mesh, 1.0, 0.24..0.44, &of(Finish::Ceramic, CHOCOLATE));
+    mesh.crisp(block(-0.78..0.78, 0.44..0.48, -0.78..0.78), &of(Finish::Ceramic, 0xeab93c));
+    disc(mesh, 0.98, 0.48..0.56, &of(Finish::Ceramic, TOMATO));
+    disc(mesh, 1.05, 0.55..0.62, &stuff::LEAF.surface());
+    let dome = [(0.97, 0.0), (1.0, 0.15), (0.92, 0.5), (0.6, 0.86), (0.0, 1.0)];
+    mesh.lathe(block(-0.96..0.96, 0.61..1.2, -0.96..0.96), &dome, 24, crust);
+    for k in 0..14 {
+        let r = 0.2 + 0.04 * f64::from(k);
+        let (sin, cos) = (f64::from(k) * 2.4).sin_cos();
+        let y = 0.6 + 0.6 * (1.0 - (r / 1.0).powi(2)).sqrt();
+        let seed = block(-0.05..0.05, -0.03..0.05, -0.05..0.05).moved(r * cos, y, r * sin);
+        mesh.bead(seed, &stuff::SHEET.surface());
+    }
+}
+
+/// A wheel with a slice taken out.
+fn cheese(mesh: &mut Mesh, rind: &Surface) {
+    const N: i32 = 20;
+    for k in 0..N - 3 {
+        let point = |k: i32| {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(N)).sin_cos();
+            (cos, sin)
+        };
+        mesh.extrude(1, &[(0.0, 0.0), point(k), point(k + 1)], 0.0..0.8, rind);
+    }
+    for turn in [0, N - 3] {
+        let degrees = 360.0 * f64::from(turn) / f64::from(N);
+        let side = if turn == 0 { 0.0..0.015 } else { -0.015..0.0 };
+        // At no turn the edge of the slice lies along z.
+        mesh.place(at(0.0, 0.0, 0.0), [0.0, degrees, 0.0], |mesh| {
+            mesh.crisp(block(-side.end..-side.start, 0.03..0.77, 0.03..0.97), &shade(rind, 1.9));
+        });
+    }
+}
+
+/// A tin with a filling under a lattice of dough.
+fn pie(mesh: &mut Mesh, crust: &Surface) {
+    let tin = [(0.78, 0.0), (1.0, 1.0), (0.9, 1.0), (0.86, 0.8)];
+    mesh.lathe(block(-1.0..1.0, 0.0..0.42, -1.0..1.0), &tin, 24, &stuff::STEEL.surface());
+    mesh.torus(block(-1.0..1.0, 0.36..0.56, -1.0..1.0), 0.16, crust);
+    mesh.drum(block(-0.88..0.88, 0.3..0.43, -0.88..0.88), &of(Finish::Ceramic, 0xa8352c));
+    for k in -2..=2 {
+        let t = 0.32 * f64::from(k);
+        let half = (0.84_f64.powi(2) - t * t).sqrt();
+        mesh.rounded(block(t - 0.08..t + 0.08, 0.4..0.5, -half..half), 0.02, 1, crust);
+        mesh.rounded(block(-half..half, 0.42..0.53, t - 0.08..t + 0.08), 0.02, 1, crust);
+    }
+}
+
+/// Two slices of bread with salad, cheese and ham.
+fn slices(mesh: &mut Mesh, crust: &Surface) {
+    let (bread, green) = (of(Finish::Ceramic, 0xe6c88f), stuff::LEAF.surface());
+    let mut slice = |low: f64, half: f64, high: f64, s: &Surface| {
+        mesh.extrude(1, &[(-half, -half), (-half, half), (half, half), (half, -half)], low..low + high, s);
+    };
+    for low in [0.0, 0.7] {
+        slice(low, 1.0, 0.34, crust);
+        slice(low - 0.01, 0.93, 0.36, &bread);
+    }
+    slice(0.34, 0.96, 0.1, &green);
+    slice(0.44, 0.9, 0.1, &of(Finish::Ceramic, 0xeab93c));
+    slice(0.54, 0.98, 0.09, &of(Finish::Ceramic, 0xe0908a));
+    slice(0.62, 0.94, 0.09, &green);
 }
 
 /// Jars, tins and cans with a lid; glass shows what is in it.
@@ -355,114 +355,6 @@ pub(super) fn shaker(a: &Ask) -> Model {
                     &stuff::DARK_PLASTIC.surface(),
                 );
             }
-        }
-    })
-}
-
-/// What one cooks and eats with, told by its name; a spoon if it says nothing more.
-pub(super) fn utensil(a: &Ask) -> Model {
-    let wooden = a.says(&["wooden", "utensil"]);
-    let usual = if wooden { Stuff(Finish::Wood, 0xb98a55) } else { Stuff(Finish::Metal, 0xaab0b5) };
-    let steel = a.main(usual);
-    let dark = stuff::DARK_PLASTIC.surface();
-    let up = at(0.0, 1.0, 0.0);
-    let stem = |mesh: &mut Mesh, x: f64, to: f64, s: &Surface| {
-        mesh.sweep(
-            &[(at(x, 0.0, -1.0), 0.09, 0.03), (at(x, 0.0, -0.4), 0.05, 0.03), (at(x, 0.0, to), 0.035, 0.03)],
-            up,
-            8,
-            s,
-        );
-    };
-    let fork = |mesh: &mut Mesh, x: f64| {
-        stem(mesh, x, 0.5, &steel);
-        mesh.sweep(
-            &[(at(x, 0.0, 0.44), 0.04, 0.03), (at(x, 0.0, 0.58), 0.15, 0.03), (at(x, 0.0, 0.68), 0.15, 0.03)],
-            up,
-            8,
-            &steel,
-        );
-        for k in -1..=2 {
-            let tine = x + 0.09 * (f64::from(k) - 0.5);
-            mesh.sweep(&[(at(tine, 0.0, 0.64), 0.022, 0.022), (at(tine, 0.02, 1.0), 0.01, 0.01)], up, 6, &steel);
-        }
-    };
-    let knife = |mesh: &mut Mesh, x: f64, handle: &Surface| {
-        mesh.sweep(&[(at(x, 0.0, -1.0), 0.1, 0.05), (at(x, 0.0, -0.2), 0.08, 0.05)], up, 8, handle);
-        mesh.extrude(
-            1,
-            &[(-0.22, x - 0.07), (0.85, x - 0.07), (1.0, x + 0.01), (0.9, x + 0.09), (-0.22, x + 0.09)],
-            -0.015..0.015,
-            &steel,
-        );
-    };
-    long(a, |mesh| {
-        if a.says(&["fork"]) {
-            fork(mesh, 0.0);
-        } else if a.says(&["knife"]) {
-            knife(mesh, 0.0, &dark);
-        } else if a.says(&["cutlery", "silverware"]) {
-            fork(mesh, -0.3);
-            knife(mesh, 0.3, &steel);
-        } else if a.says(&["ladle"]) {
-            mesh.tube(&[at(0.0, 1.0, -1.0), at(0.0, 1.12, -0.92), at(0.0, 1.0, -0.8), at(0.0, 0.6, 0.5)], 0.05, &steel);
-            mesh.lathe(
-                block(-0.42..0.42, 0.0..0.7, 0.3..1.1),
-                &[(0.3, 0.0), (0.75, 0.2), (0.95, 0.6), (1.0, 1.0), (0.93, 1.0), (0.86, 0.6), (0.5, 0.2)],
-                24,
-                &steel,
-            );
-        } else if a.says(&["spatula", "turner"]) {
-            mesh.sweep(&[(at(0.0, 0.02, -1.0), 0.09, 0.05), (at(0.0, 0.02, -0.1), 0.06, 0.04)], up, 10, &dark);
-            cone(mesh, at(0.0, 0.02, -0.12), at(0.0, 0.0, 0.34), [0.03, 0.03], &steel);
-            for x in block(-0.28..0.28, -0.02..0.02, 0.42..0.9).split(0, 4, 0.05) {
-                mesh.crisp(x, &steel);
-            }
-            for z in [0.3..0.43, 0.89..1.0] {
-                mesh.crisp(block(-0.28..0.28, -0.021..0.021, z), &steel);
-            }
-        } else if a.says(&["whisk"]) {
-            cone(mesh, at(0.0, 0.0, -1.0), at(0.0, 0.0, -0.25), [0.08, 0.07], &steel);
-            for k in 0..4 {
-                mesh.place(at(0.0, 0.0, 0.0), [0.0, 0.0, 45.0 * f64::from(k)], |mesh| {
-                    let point = |t: f64| at(0.3 * (std::f64::consts::PI * t).sin(), 0.0, -0.28 + 1.28 * t);
-                    for side in [-1.0, 1.0] {
-                        let wire: Vec<_> = (0..=8)
-                            .map(|i| point(f64::from(i) / 8.0))
-                            .map(|p| at(side * p.x.powf(0.8), 0.0, p.z))
-                            .collect();
-                        mesh.tube(&wire, 0.012, &steel);
-                    }
-                });
-            }
-        } else if a.says(&["tong"]) {
-            for side in [-1.0, 1.0] {
-                mesh.sweep(
-                    &[
-                        (at(0.0, 0.0, -1.0), 0.03, 0.08),
-                        (at(side * 0.16, 0.0, -0.2), 0.03, 0.1),
-                        (at(side * 0.3, 0.0, 0.7), 0.03, 0.08),
-                        (at(side * 0.26, 0.0, 1.0), 0.04, 0.16),
-                    ],
-                    up,
-                    8,
-                    &steel,
-                );
-            }
-            mesh.rounded(block(-0.06..0.06, -0.1..0.1, -1.04..-0.9), 0.03, 1, &dark);
-        } else if a.says(&["corkscrew"]) {
-            mesh.rounded(block(-0.6..0.6, -0.12..0.12, -1.0..-0.74), 0.1, 2, &of(Finish::Wood, 0x8a5a34));
-            cone(mesh, at(0.0, 0.0, -0.76), at(0.0, 0.0, -0.2), [0.05, 0.05], &steel);
-            let turn = |k: u32| {
-                let (sin, cos) = (f64::from(k) * 0.8).sin_cos();
-                at(0.1 * cos, 0.1 * sin, -0.24 + 1.24 * f64::from(k) / 40.0)
-            };
-            let helix: Vec<_> = (0..=40).map(turn).collect();
-            mesh.tube(&helix, 0.035, &steel);
-        } else {
-            stem(mesh, 0.0, 0.5, &steel);
-            mesh.ball(block(-0.22..0.22, -0.05..0.03, 0.4..1.0), &steel);
-            blade(mesh, at(0.0, 0.012, 0.7), [0.34, 0.5], 0.05, &shade(&steel, 0.7));
         }
     })
 }

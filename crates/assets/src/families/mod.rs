@@ -35,6 +35,7 @@ mod tables;
 mod things;
 mod tools;
 mod toys;
+mod utensils;
 mod vehicles;
 mod venue;
 mod wear;
@@ -340,7 +341,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("tricycle", rides::tricycle),
     ("trumpet", winds::trumpet),
     ("tube", things::tube),
-    ("utensil", food::utensil),
+    ("utensil", utensils::utensil),
     ("vise", tools::vise),
     ("wheel", rolls::wheel),
     ("wheelbarrow", yard::wheelbarrow),

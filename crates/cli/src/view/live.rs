@@ -69,7 +69,7 @@ struct Told {
 
 impl Told {
     fn new(room: &CheckedLayout) -> Result<Self, String> {
-        let mut told = preview::live(room.scene()?, None).map_err(|e| e.to_string())?;
+        let mut told = preview::live(room.scene()?, None, true).map_err(|e| e.to_string())?;
         let (shape, whole) = (told["shape"].as_str().unwrap_or_default().to_owned(), told.to_string());
         told["glb"] = Value::Null;
         Ok(Self { shape, whole, places: told.to_string() })

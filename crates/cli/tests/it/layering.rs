@@ -22,7 +22,7 @@ const TABLE: &[(&str, &[&str])] = &[
     ("eval", &["synth"]),
     ("sample", &["synth"]),
     ("analysis", &["engine"]),
-    ("ide", &["analysis"]),
+    ("ide", &["analysis", "assets"]),
     ("lsp", &["ide", "synth"]),
     ("cli", &["lsp", "eval", "sample", "catalogue", "foreign"]),
     ("grammars", &["lang"]),

@@ -18,7 +18,7 @@ pub(super) const RED: &str = "#d7263d";
 struct Item<'a> {
     top: f64,
     object: &'a Object,
-    part: Option<(&'a Convex, Convex)>,
+    part: Option<(usize, Convex)>,
 }
 
 /// Draws all objects, what is higher over what is lower: a chair's seat under the table, its back over it. So an object
@@ -29,7 +29,7 @@ pub(super) fn draw(canvas: &mut Canvas, scene: &Scene) {
         if drawn_whole(object) {
             items.push(Item { top: Obb::from_placement(&object.place).aabb().max.y, object, part: None });
         } else {
-            let parts = object.solid.iter().zip(object.world_solid());
+            let parts = object.world_solid().enumerate();
             items.extend(parts.map(|p| Item { top: p.1.aabb().max.y, object, part: Some(p) }));
         }
     }
@@ -41,7 +41,7 @@ pub(super) fn draw(canvas: &mut Canvas, scene: &Scene) {
         canvas.raw(&format!(r#"<g data-object="{name}"{bad}><title>{}</title>"#, escape(&title(object))));
         for item in run {
             match (&item.part, object.family.as_str()) {
-                (Some((local, world)), _) => part(canvas, scene, object, local, world),
+                (Some((index, world)), _) => part(canvas, scene, object, *index, world),
                 (None, "door") => door(canvas, object),
                 (None, _) => window(canvas, object),
             }
@@ -78,15 +78,22 @@ fn title(object: &Object) -> String {
     format!("{} — {kind}, {w} × {h} × {d} m", object.name)
 }
 
-fn part(canvas: &mut Canvas, scene: &Scene, object: &Object, local: &Convex, world: &Convex) {
+fn part(canvas: &mut Canvas, scene: &Scene, object: &Object, index: usize, world: &Convex) {
     let outline = convex_hull(world.vertices().iter().map(|v| Vec2::new(v.x, v.z)));
     if is_overhead(scene, object) {
         let ink = if object.violated { RED } else { "#8a9099" };
         canvas.polygon(&outline, &format!(r#"fill="none" stroke="{ink}" stroke-width="0.9" stroke-dasharray="4 3""#));
         return;
     }
-    let color = top_color(scene, object, local);
-    canvas.polygon(&outline, &style(object, color, 1.0));
+    canvas.polygon(&outline, &style(object, color_of(scene, object, index), 1.0));
+}
+
+/// The colour of a part seen from above; of what stands upright it is found out once.
+fn color_of(scene: &Scene, object: &Object, part: usize) -> Rgb {
+    if object.axes.row(1).transpose() != Vec3::y() {
+        return top_color(scene, object, &object.solid[part]);
+    }
+    object.tops.get_or_init(|| object.solid.iter().map(|part| top_color(scene, object, part)).collect())[part]
 }
 
 /// Whether an object hangs over the heads of people: such things are drawn in dashes.

@@ -1,16 +1,19 @@
 //! From program, layout and report to a [`Scene`].
 
 use super::dress::{Dresser, Wardrobe};
+use super::memory::{Look, Memory};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
-use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, opening, weight};
+use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, opening};
+use crate::geometry::mesh::Group;
 use crate::names::Stems;
 use scenelang_assets::{Light, Mesh, Surface};
 use scenelang_base::{FileId, SourceMap, Span};
 use scenelang_lang::program::{self, Program};
-use scenelang_layout::{Aabb, Geometry, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, broad, convex, rotation};
+use scenelang_layout::{Aabb, Layout, NotSimple, Obb, Polygon, Prism, Vec2, Vec3, broad, convex, rotation};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 
 /// What a scene is made from.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +63,7 @@ const TOUCHING: f64 = 0.01;
 /// What an object looks like that the furniture library does not draw, by its name.
 pub type Looks<'a> = &'a dyn Fn(&str) -> Option<&'a Mesh>;
 
-pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, BuildError> {
+pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>, memory: &Memory) -> Result<Scene, BuildError> {
     let dressed = input.program.dressed(&input.layout.draws);
     let input = &SceneInput { program: &dressed, ..*input };
     let mut wardrobe = Wardrobe::default();
@@ -70,8 +73,9 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Scene, Bui
     let mut objects = Vec::with_capacity(input.program.objects.len());
     let floors = floors(&regions, input.program);
     for (id, declared) in input.program.objects.iter().enumerate() {
-        objects.push(object((input, own), id, declared, (&regions, &floors), &mut wardrobe, &mut stems)?);
+        objects.push(object((input, own, memory), id, declared, (&regions, &floors), &mut wardrobe, &mut stems)?);
     }
+    memory.complete();
     let demands = opening::demands(input.program, |index| {
         let key = statement_key(input.sources, input.program.constraints[index].span);
         rows.iter().any(|row| row.violated() && file_name(&row.id) == key)
@@ -181,7 +185,7 @@ fn within(regions: &[Region], i: usize, j: usize) -> bool {
 }
 
 fn object(
-    (input, own): (&SceneInput<'_>, Looks<'_>),
+    (input, own, memory): (&SceneInput<'_>, Looks<'_>, &Memory),
     id: usize,
     declared: &program::Object,
     (regions, floors): (&[Region], &[Surface]),
@@ -190,14 +194,15 @@ fn object(
 ) -> Result<Object, BuildError> {
     let name = declared.name.to_string();
     let Some(place) = input.layout.object(&name) else { return Err(BuildError::MissingObject(name)) };
-    let solid = convex::local_solid(place, Geometry::Parts);
     // A zone lies on the floor of its room, and is declared after it or before.
     let under = regions.iter().zip(floors).filter(|(r, _)| r.prism.polygon.contains(place.pos.xz()));
     let floor = under.max_by_key(|(r, _)| r.kind == RegionKind::Zone).map(|(_, floor)| floor);
-    let dressed = wardrobe.furnish(declared, place, &solid, own(&name), floor);
-    let looks = weight::looks(&solid, &dressed.mesh);
-    let weights: Vec<f64> =
-        solid.iter().zip(&looks).map(|(part, &s)| weight::weight(part, wardrobe.surface(s))).collect();
+    let look = match own(&name) {
+        Some(mesh) => Arc::new(Look::own(declared, place, floor, mesh)),
+        None => memory.look(declared, place, floor),
+    };
+    let surfaces: Vec<usize> = look.surfaces.iter().map(|surface| wardrobe.add(surface.clone())).collect();
+    let worn = |group: &Group| Group { surface: surfaces[group.surface], ..group.clone() };
     let axes = rotation::matrix(place.rot);
     let allow = &input.program.allow;
     let is = |other: &program::ObjectId| other.0 as usize == id;
@@ -216,15 +221,17 @@ fn object(
         stem: stems.take(&name),
         label: if declared.category.is_empty() { name.clone() } else { declared.category.clone() },
         category: declared.category.clone(),
-        family: dressed.family,
+        family: look.dressed.family.clone(),
         place: place.clone(),
         axes,
-        mesh: dressed.mesh,
-        lights: dressed.lights,
-        mass: weights.iter().sum(),
-        solid,
-        looks,
-        weights,
+        look: look.id,
+        mesh: look.dressed.mesh.iter().map(worn).collect(),
+        lights: look.dressed.lights.clone(),
+        mass: look.weights.iter().sum(),
+        solid: look.solid.clone(),
+        looks: look.looks.iter().map(|&part| surfaces[part]).collect(),
+        weights: look.weights.clone(),
+        tops: Arc::clone(&look.tops),
         body,
         declaration: declaration(input.sources, declared.span),
         requirements: declared.requirements.clone(),

@@ -18,6 +18,7 @@ pub(super) struct Wardrobe {
 }
 
 /// What the library made of an object.
+#[derive(Debug)]
 pub(super) struct Dressed {
     pub family: String,
     pub mesh: Vec<Group>,
@@ -31,11 +32,6 @@ impl Wardrobe {
             self.surfaces.push(surface);
             self.surfaces.len() - 1
         })
-    }
-
-    /// The surface of an index.
-    pub fn surface(&self, index: usize) -> &Surface {
-        &self.surfaces[index]
     }
 
     /// The table.

@@ -5,22 +5,26 @@
 
 mod build;
 mod dress;
+mod memory;
 mod opening;
 pub mod shell;
 pub mod view;
 mod weight;
 
 pub use build::{BuildError, Looks, SceneInput};
+pub use memory::Memory;
 pub use opening::Opening;
 pub use shell::{Role, Shell};
 pub use view::View;
 
 use crate::geometry::mesh::Group;
+use memory::Tops;
 use nalgebra::Matrix3;
 use scenelang_assets::{Light, Surface};
 use scenelang_base::door::{normal, relative};
 use scenelang_layout::{Convex, Placement, Prism, Vec3, rotation};
 use std::path::Path;
+use std::sync::Arc;
 
 /// A scene ready to be written in any format.
 #[derive(Clone, Debug)]
@@ -95,6 +99,8 @@ pub struct Object {
     pub place: Placement,
     /// Its orientation: columns are its right, up and front.
     pub axes: Matrix3<f64>,
+    /// A number for all that its look is made from. Objects of the same number have the same mesh, lights, solid and weights.
+    pub look: u64,
     /// Its triangles by surface, in its own frame.
     pub mesh: Vec<Group>,
     /// What light it gives, in its own frame.
@@ -119,6 +125,8 @@ pub struct Object {
     pub rows: Vec<usize>,
     /// Whether one of them is violated.
     pub violated: bool,
+    /// The colours of its parts from above, as far as a plan was drawn.
+    pub(crate) tops: Arc<Tops>,
 }
 
 impl Object {
@@ -181,7 +189,7 @@ impl Scene {
     /// # Errors
     /// Something is not placed, or a floor is no polygon.
     pub fn build(input: &SceneInput<'_>) -> Result<Self, BuildError> {
-        build::build(input, &|_| None)
+        build::build(input, &|_| None, &Memory::default())
     }
 
     /// The same, with what some objects look like that the furniture library does not draw.
@@ -189,7 +197,15 @@ impl Scene {
     /// # Errors
     /// As for [`Self::build`].
     pub fn dressed(input: &SceneInput<'_>, own: Looks<'_>) -> Result<Self, BuildError> {
-        build::build(input, own)
+        build::build(input, own, &Memory::default())
+    }
+
+    /// The same scene as from [`Self::build`]. Objects that are remembered are not drawn again.
+    ///
+    /// # Errors
+    /// As for [`Self::build`].
+    pub fn remembered(input: &SceneInput<'_>, memory: &Memory) -> Result<Self, BuildError> {
+        build::build(input, &|_| None, memory)
     }
 
     /// The program's main file.

@@ -5,6 +5,7 @@ mod back;
 mod edited;
 mod fixture;
 mod glb;
+mod live;
 mod pictures;
 mod project;
 mod scene;

@@ -1,6 +1,7 @@
 //! Colours in a program, and how else they are written.
 
-use crate::fixture::{Fixture, Words};
+use crate::fixture::Fixture;
+use scenelang_assets::color_of;
 use scenelang_ide::colors::{colors, spellings};
 
 #[test]
@@ -8,13 +9,15 @@ fn texts_that_are_colours() {
     let fixture = Fixture::with(
         "bed.color <- \"steelblue\";\nroom.wallColor <- \"red\";\nlamp.category <- \"red\";\nbed.color <- \"none such\";\n",
     );
-    let found = colors(&fixture.snapshot, &Words).unwrap();
+    let found = colors(&fixture.snapshot).unwrap();
     let said: Vec<(&str, [u8; 3])> = found.into_iter().map(|(range, rgb)| (fixture.slice(range), rgb)).collect();
-    assert_eq!(said, [("steelblue", [70, 130, 180]), ("red", [255, 0, 0])]);
+    let rgb = |name: &str| color_of(name).unwrap();
+    assert_eq!(said, [("steelblue", rgb("steelblue")), ("red", rgb("red"))]);
 }
 
 #[test]
 fn exactly_and_by_the_nearest_name() {
-    assert_eq!(spellings([255, 3, 0], &Words), ["#ff0300", "red"]);
-    assert_eq!(spellings([0, 255, 0], &Words), ["#00ff00"]);
+    let [r, g, b] = color_of("red").unwrap();
+    assert_eq!(spellings([r, g, b + 3]), [format!("#{r:02x}{g:02x}{:02x}", b + 3), "red".to_owned()]);
+    assert_eq!(spellings([0, 255, 0]), ["#00ff00"]);
 }

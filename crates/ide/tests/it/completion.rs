@@ -1,11 +1,11 @@
 //! What could be written: the labels that must be there, in which order the first ones are, and what must not be there.
 
-use crate::fixture::{Fixture, Words};
+use crate::fixture::{Fixture, imports};
 use scenelang_ide::completion::{Proposals, complete, describe};
 
 fn proposed(lines: &str) -> (Fixture, Proposals) {
     let fixture = Fixture::with(lines);
-    let found = complete(&fixture.snapshot, &Words, fixture.at, true).unwrap();
+    let found = complete(&fixture.snapshot, &imports, fixture.at, true).unwrap();
     (fixture, found)
 }
 
@@ -114,8 +114,8 @@ fn half_of_a_requirement_is_a_word() {
 #[test]
 fn units_only_where_somebody_asks() {
     let fixture = Fixture::with("assert bed.top > 3$0\n");
-    assert_eq!(complete(&fixture.snapshot, &Words, fixture.at, false).unwrap().list, []);
-    assert!(complete(&fixture.snapshot, &Words, fixture.at, true).unwrap().list.iter().any(|p| p.label == "3cm"));
+    assert_eq!(complete(&fixture.snapshot, &imports, fixture.at, false).unwrap().list, []);
+    assert!(complete(&fixture.snapshot, &imports, fixture.at, true).unwrap().list.iter().any(|p| p.label == "3cm"));
 }
 
 #[test]

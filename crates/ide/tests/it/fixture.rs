@@ -1,7 +1,6 @@
 //! A program with a cursor, a layout beside it, and words that others know.
 
 use scenelang_base::{Edit, TextRange};
-use scenelang_ide::completion::Vocabulary;
 use scenelang_ide::{Host, Snapshot};
 use scenelang_lang::sources::Loader;
 use std::io;
@@ -108,27 +107,7 @@ impl Fixture {
     }
 }
 
-/// A few words.
-pub struct Words;
-
-impl Vocabulary for Words {
-    fn colors(&self) -> Vec<&str> {
-        vec!["red", "steelblue"]
-    }
-    fn color(&self, text: &str) -> Option<[u8; 3]> {
-        match text {
-            "red" => Some([255, 0, 0]),
-            "steelblue" => Some([70, 130, 180]),
-            _ => None,
-        }
-    }
-    fn materials(&self) -> Vec<&str> {
-        vec!["oak"]
-    }
-    fn categories(&self) -> Vec<&str> {
-        vec!["bed", "sofa"]
-    }
-    fn imports(&self) -> Vec<String> {
-        vec!["parts.scene".to_owned()]
-    }
+/// What could be imported.
+pub fn imports() -> Vec<String> {
+    vec!["parts.scene".to_owned()]
 }

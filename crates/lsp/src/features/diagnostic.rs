@@ -150,6 +150,7 @@ impl Workspace {
             client: Arc::clone(&self.client),
             config: Arc::clone(&self.config),
             tokens: Tokens::default(),
+            looks: Arc::default(),
             open: self.open.clone(),
             versions: BTreeMap::new(),
             files: self.files.clone(),

@@ -5,7 +5,6 @@ use super::{Whole, Within};
 use crate::disk::{self, Files};
 use crate::dispatch::{Context, Fault};
 use crate::text::{Encoding, Text};
-use crate::vocabulary::Words;
 use scenelang_base::TextRange;
 use scenelang_ide::hints::{self, HintKind, Lens};
 use scenelang_ide::shape::{self, Fold, Link};
@@ -148,7 +147,7 @@ pub fn layout_links(layout: &Path, text: &Text, encoding: Encoding, files: &File
 /// `textDocument/documentColor`
 pub fn colours(context: &Context, _: &Whole) -> Result<Value, Fault> {
     let share = |x: u8| f64::from(x) / 255.0;
-    let found = colors::colors(&context.snapshot, &Words(&context.path))?;
+    let found = colors::colors(&context.snapshot)?;
     let shown = found.into_iter().map(|(range, [r, g, b])| {
         json!({
             "range": context.range(range),
@@ -174,10 +173,10 @@ struct Picked {
 }
 
 /// `textDocument/colorPresentation`
-pub fn presentations(context: &Context, params: &Presentation) -> Result<Value, Fault> {
+pub fn presentations(_: &Context, params: &Presentation) -> Result<Value, Fault> {
     let Picked { red, green, blue } = params.color;
     let rgb = [red, green, blue].map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-    let spelled = colors::spellings(rgb, &Words(&context.path))
+    let spelled = colors::spellings(rgb)
         .into_iter()
         .map(|text| json!({ "label": text, "textEdit": { "range": params.within.range, "newText": text } }));
     Ok(spelled.collect())

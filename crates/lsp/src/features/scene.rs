@@ -42,6 +42,7 @@ pub fn scene(context: &Context, seen: &Seen) -> Result<Value, Fault> {
         text: snapshot.sources().get(file.file).text(),
         verdict: &judged.verdict,
         options: &snapshot.judging().options,
+        looks: &context.looks,
     };
     let mut out = picture.value(&places, seen.known.as_deref())?;
     out["layout"] = json!(layout);

@@ -2,7 +2,8 @@
 
 use super::{At, Whole, Within};
 use crate::dispatch::{Context, Fault};
-use crate::vocabulary::Words;
+use crate::imports::imports;
+use scenelang_assets::color_of;
 use scenelang_base::TextRange;
 use scenelang_ide::completion::{Proposal, Sort, complete, describe};
 use scenelang_ide::format::{self, Replacement};
@@ -30,7 +31,7 @@ pub fn completion(context: &Context, params: &Completion) -> Result<Value, Fault
     let offset = context.offset(params.at.position);
     // An editor also says so for what a letter brought up; then there are letters.
     let asked = params.context.as_ref().is_none_or(|c| c.trigger_kind.is_none_or(|kind| kind == INVOKED));
-    let found = complete(&context.snapshot, &Words(&context.path), offset, asked)?;
+    let found = complete(&context.snapshot, &|| imports(&context.path), offset, asked)?;
     let replaces = found.replaces;
     let line = context.text.line(context.text.line_of(offset));
     let rest = context.text.as_str().get(replaces.end.min(line.end) as usize..line.end as usize).unwrap_or_default();
@@ -71,12 +72,11 @@ fn item(context: &Context, proposal: Proposal, replaces: TextRange, rest: &str) 
     if !detail.is_empty() {
         out["detail"] = detail.into();
     }
-    if sort == Sort::Color {
-        use scenelang_ide::completion::Vocabulary;
-        if let Some([r, g, b]) = Words(&context.path).color(&label) {
-            // Editors show a swatch for this.
-            out["documentation"] = format!("#{r:02x}{g:02x}{b:02x}").into();
-        }
+    if sort == Sort::Color
+        && let Some([r, g, b]) = color_of(&label)
+    {
+        // Editors show a swatch for this.
+        out["documentation"] = format!("#{r:02x}{g:02x}{b:02x}").into();
     }
     if let Some(about) = about {
         out["data"] = about.into();

@@ -72,15 +72,19 @@ fn same(stem: &str) {
     let file = wanted(json!({ "method": "export", "format": "layout" }));
     assert_eq!(file["text"], sealed_json(&expected.first.text));
 
-    let mut room = wanted(json!({ "method": "room", "known": null }));
-    let mut live = preview::live(scene, None).expect("it can be shown");
+    let mut room = wanted(json!({ "method": "room", "known": null, "plan": true }));
+    let mut live = preview::live(scene, None, true).expect("it can be shown");
     // The verdict that an editor shows while somebody types is not explained.
     for report in [&mut room["report"], &mut live["report"]] {
         *report = report["constraints"].as_array().expect("rows").iter().map(|row| row["margin"].clone()).collect();
     }
     assert!(room == live, "the room of {stem} differs");
-    let again = wanted(json!({ "method": "room", "known": room["shape"] }));
-    assert_eq!(again["glb"], Value::Null, "what is known is not sent again");
+    let again = wanted(json!({ "method": "room", "known": room["shape"], "plan": false }));
+    assert_eq!(
+        (&again["glb"], &again["plan"]),
+        (&Value::Null, &json!("")),
+        "what is known, or not wanted, is not sent"
+    );
 }
 
 #[test]

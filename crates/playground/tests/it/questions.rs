@@ -55,7 +55,7 @@ fn proposals_and_hovers_know_the_program() {
 fn an_edit_is_judged_by_the_layout_that_is_there() {
     let (mut session, marks) = opened(DESK);
     assert_eq!((&marks["count"], &marks["placed"]), (&Value::Null, &json!(false)));
-    assert_eq!(ask(&mut session, &json!({ "method": "room", "known": null })).unwrap(), Value::Null);
+    assert_eq!(ask(&mut session, &json!({ "method": "room", "known": null, "plan": false })).unwrap(), Value::Null);
     let layout = solved(&mut session, DESK);
     let marks = ask(&mut session, &json!({ "method": "layout", "text": layout })).unwrap();
     assert_eq!((&marks["count"][2], &marks["placed"]), (&json!(0), &json!(true)));

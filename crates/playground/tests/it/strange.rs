@@ -27,8 +27,8 @@ fn what_is_no_request_is_refused() {
 fn without_a_program_there_is_nothing_to_ask_about() {
     let mut session = Session::default();
     for method in ["room", "format", "proofs"] {
-        let why =
-            ask(&mut session, &json!({ "method": method, "known": null })).map_or_else(|why| why, |v| v.to_string());
+        let why = ask(&mut session, &json!({ "method": method, "known": null, "plan": false }))
+            .map_or_else(|why| why, |v| v.to_string());
         assert!(why.contains("no program is open") || why.contains("no request"), "{method}: {why}");
     }
 }
@@ -61,7 +61,7 @@ fn programs_that_are_none_are_marked() {
     for text in ["", "\0\0\0", "<script>alert(1)</script>", "object 🪑;", &deep, &long] {
         let (mut session, marks) = opened(text);
         assert!(marks["marks"].is_array());
-        assert_eq!(ask(&mut session, &json!({ "method": "room", "known": null })).unwrap(), Value::Null);
+        assert_eq!(ask(&mut session, &json!({ "method": "room", "known": null, "plan": true })).unwrap(), Value::Null);
         let request = json!({ "method": "solve", "name": "room.scene", "text": text, "start": null, "seed": 0 });
         ask(&mut session, &request).unwrap();
     }
@@ -73,7 +73,7 @@ fn layouts_that_are_none_are_said_so() {
     for layout in ["", "{", "[]", "{\"objects\": {\"desk\": {\"pos\": [1e999, 0, 0]}}}", "{\"objects\": 3}"] {
         let marks = ask(&mut session, &json!({ "method": "layout", "text": layout })).unwrap();
         assert!(marks["marks"].as_array().is_some_and(|marks| !marks.is_empty()), "{layout}");
-        assert_eq!(ask(&mut session, &json!({ "method": "room", "known": null })).unwrap(), Value::Null);
+        assert_eq!(ask(&mut session, &json!({ "method": "room", "known": null, "plan": true })).unwrap(), Value::Null);
         let far = json!({ "method": "move", "object": "desk", "pos": [1e300, 0, 0], "rot": [0, 0, 0], "commit": true });
         assert!(ask(&mut session, &far).is_err());
         assert!(ask(&mut session, &json!({ "method": "export", "format": "glb" })).is_err());
