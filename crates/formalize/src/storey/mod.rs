@@ -13,7 +13,7 @@ use crate::arrange::arrange_rooms;
 use crate::brief::{Brief, Group, Look, Room as Asked};
 use crate::draft::{Draft, Opening, OpeningKind, Source};
 use crate::furnish::kinds::{self, Kind};
-use crate::furnish::stand::group;
+use crate::furnish::stand::{counts_as, group};
 use crate::names::Names;
 pub use annex::is_outside;
 use cost::{bounds, ways};
@@ -25,6 +25,8 @@ const MOST: usize = 14;
 const RUN: f64 = 4.0;
 /// Beyond the foot of a bed for two, and beside it with its nightstands, so much is free or a wall of cupboards (metres).
 const FOOT: f64 = 1.5;
+/// Before a desk, and beside it, for who works there (metres).
+const USE: f64 = 1.0;
 const BESIDE: f64 = 2.2;
 /// A bed for two is at least so wide (metres).
 const FOR_TWO: f64 = 1.35;
@@ -277,6 +279,13 @@ fn at_home(
     let is = floor(draft.rooms[room].size);
     // What stands in it by request needs more than such rooms have.
     let needed = if is > 1.1 * usual { 0.75 * is } else { 0.0 };
-    let area = (area * said).max(needed);
+    // A desk that such a room does not have needs its floor, and that of who uses it.
+    let own = |noun: &str| kind.lines.iter().chain(&kind.eat).any(|line| counts_as(line.noun, noun));
+    let more = draft.things.iter().filter(|thing| thing.room == Some(room) && thing.count == 1);
+    let more = more.filter(|thing| matches!(group(&thing.category), Group::Table | Group::Storage));
+    let more =
+        more.filter(|thing| matches!(thing.source, Source::Stated(_)) && !own(&thing.category.replace('_', " ")));
+    let more: f64 = more.filter_map(|thing| thing.size).map(|[w, _, d]| w * (d + USE)).sum();
+    let area = (area * said).max(needed) + more;
     ([area, (most * said).max(area * 1.15)], side * said.clamp(0.85, 1.3).sqrt())
 }
