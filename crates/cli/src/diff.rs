@@ -89,7 +89,11 @@ fn human(c: &Comparison) -> String {
         table.row([name, what.as_str().to_owned(), before, after]);
     }
     add(&mut out, &table, c.constraints.is_empty());
-    let verdict = if c.equal { "equal in geometry and results" } else { "they differ" };
+    let verdict = match (c.exit_code(), c.equal) {
+        (FAILED, _) => "not fully compared, because one of them could not be checked",
+        (_, true) => "equal in geometry and results",
+        (_, false) => "they differ",
+    };
     out += &format!("{} → {}: {verdict}\n", c.before.file, c.after.file);
     match (&c.before.judged_with, &c.after.judged_with) {
         (Some(with), other) if other.as_ref() == Some(with) => out += &format!("{}\n", with.in_words()),

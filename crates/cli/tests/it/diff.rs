@@ -101,12 +101,14 @@ fn exit_codes() {
         ("before.layout.json", "missing.layout.json", 2),
         ("broken.layout.json", "before.layout.json", 2),
         ("before.layout.json", "nowhere.layout.json", 2),
+        ("missing.layout.json", "nowhere.layout.json", 2),
         ("before.layout.json", "room.scene", 2),
         ("before.layout.json", ".", 2),
     ] {
         let ended = scenelang(folder.path(), ["diff", a, b]);
         assert_eq!(ended.code, code, "{a} {b}: {}{}", ended.stdout, ended.stderr);
         assert!(code < 2 || !ended.stderr.is_empty(), "{a} {b} says why");
+        assert!(code < 2 || !ended.stdout.contains("equal"), "{a} {b}: {}", ended.stdout);
     }
 }
 
