@@ -62,7 +62,7 @@ def rows(found):
 
 def said(row):
     margin, unit = row.get("margin"), "°" if row.get("unit") == "deg" else " m"
-    holds = {True: "holds", False: "fails", None: "cannot be judged"}[row.get("satisfied")]
+    holds = {True: "holds", False: "fails", None: "cannot be checked"}[row.get("satisfied")]
     return holds if margin is None else f"{holds} by {abs(margin):.3f}{unit}"
 
 
@@ -87,7 +87,7 @@ def code(text):
 def section(binary, name, before, plans):
     now, was = report(binary, name), report(binary, name, cwd=before) if before else None
     if now is None:
-        return f"### {code(name)}\n\ncould not be judged\n", []
+        return f"### {code(name)}\n\ncould not be checked\n", []
     lines = []
     old, new = rows(was), rows(now)
     for key, row in new.items():

@@ -368,7 +368,7 @@ export class Playground {
       const fragment = await encode({ name: this.name, text: this.editor.text });
       history.replaceState(null, "", fragment);
       await navigator.clipboard?.writeText(location.href).catch(() => {});
-      this.page.say("The link is in the address bar and in the clipboard", "It holds the program itself. No server has a copy.");
+      this.page.say("The link is in the address bar and in the clipboard", "It contains the program itself. No server has a copy.");
     } catch (why) {
       this.page.say("There is no link", why instanceof Error ? why.message : String(why));
     }

@@ -257,7 +257,7 @@ export class App implements Sink {
 
   private refuse(move: Move, why: unknown): void {
     if (move.commit) this.settle();
-    this.say(move.commit ? "It was not moved" : "It cannot be judged", why);
+    this.say(move.commit ? "It was not moved" : "It cannot be checked", why);
   }
 
   /** Everything back as the last room that came has it. */

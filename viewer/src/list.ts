@@ -96,7 +96,7 @@ export function headline(report: Report): Headline {
   };
   const unknown = report.constraints.filter((row) => row.satisfied === null).length;
   const details = (["preferences", "physical", "pins"] as const).filter((key) => report.summary[key].total > 0).map(phrase);
-  if (unknown > 0) details.push(`${unknown} not judged`);
+  if (unknown > 0) details.push(`${unknown} not checked`);
   const fails = report.constraints.some((row) => row.satisfied === false && row.kind !== "prefer");
   return {
     text: assertions.total === 0 ? "No assertions" : `${phrase("assertions")} ${assertions.total === 1 ? "holds" : "hold"}`,

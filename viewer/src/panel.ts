@@ -20,7 +20,7 @@ export interface PanelEvents {
 type Tab = "constraints" | "objects";
 
 const CHIP_NAMES: Record<Filter, string> = { all: "All", violated: "Violated", assert: "Assert", prefer: "Prefer", physical: "Physical", pins: "Pins" };
-const SPOKEN: Record<Verdict, string> = { holds: "Holds", fails: "Violated", unknown: "Not judged" };
+const SPOKEN: Record<Verdict, string> = { holds: "Holds", fails: "Violated", unknown: "Not checked" };
 
 export class Panel {
   readonly element = el("aside.panel", { "aria-label": "Constraints" });

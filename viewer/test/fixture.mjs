@@ -82,7 +82,7 @@ const ROWS = [
   ["assert", true, null, null, ["door", "meeting", "lounge"], "connects(door, meeting, lounge)", ""],
   ["assert", false, -0.12, "m", ["lamp", "plant"], "distance(lamp, plant) <= 3.2", "the distance between `lamp` and `plant` is 3.35 m; at most 3.20 m was asked for"],
   ["assert", true, 0.02, "m", ["vase", "table"], "on(vase, table)", ""],
-  ["assert", null, null, null, ["sofa"], "visible(sofa, screen)", "could not be judged: `monitor` is not in the layout"],
+  ["assert", null, null, null, ["sofa"], "visible(sofa, screen)", "could not be checked: `monitor` is not in the layout"],
   ["prefer", false, -0.4, "m", ["coffee", "sofa"], "near(coffee, sofa, 60cm) weight 2", "the gap is 1.00 m"],
   ["prefer", true, 0.3, "m", ["plant", "meeting"], "inCorner(plant, meeting)", ""],
   ["pin", true, 0.001, "m", ["table"], "table.scale <- vec3(2.4, 0.74, 1.1)", ""],

@@ -59,7 +59,7 @@ test("what overlaps shares a body", () => {
   near([Math.min(...gap.common.outline.map(([x]) => x)), Math.max(...gap.common.outline.map(([x]) => x))], [1.25, 1.5]);
 });
 
-test("nothing is drawn for what holds, cannot be judged, is of one thing alone, or is but a preference", () => {
+test("nothing is drawn for what holds, cannot be checked, is of one thing alone, or is but a preference", () => {
   const objects = [object("a", [1, 0, 1]), object("b", [3, 0, 1])];
   const rows = [row("assert", ["a", "b"], { satisfied: true }), row("assert", ["a", "b"], { satisfied: null }), row("assert", ["a"]), row("assert", ["nobody"]), row("prefer", ["a", "b"])];
   assert.deepEqual(gapsOf(scene(objects, rows), null), []);

@@ -191,8 +191,8 @@ impl Outside {
     /// What to do about it.
     pub fn advice(&self) -> String {
         format!(
-            "only files below {} are read and written; move the file there, name it on the command line, or put a \
-             {MARK} (it may be empty) into the folder that holds both",
+            "only files in {} are read and written; move the file there, name it on the command line, or put a \
+             {MARK} (which may be empty) into the folder that contains both",
             self.root.display()
         )
     }

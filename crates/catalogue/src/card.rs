@@ -76,20 +76,22 @@ impl Card {
         let z_up = match written.up.as_deref() {
             None | Some("y" | "+y") => false,
             Some("z" | "+z") => true,
-            Some(other) => return Err(wrong(format!("`up` is \"y\" or \"z\", not {other:?}"))),
+            Some(other) => return Err(wrong(format!("`up` must be \"y\" or \"z\", not {other:?}"))),
         };
         let front = match written.front {
             None => None,
             Some(Front::Degrees(degrees)) => Some(degrees.rem_euclid(360.0)),
             Some(Front::Axis(axis)) => Some(degrees_of(&axis, z_up).ok_or_else(|| {
                 let axes = if z_up { "\"-y\", \"+x\", \"+y\" or \"-x\"" } else { "\"+z\", \"+x\", \"-z\" or \"-x\"" };
-                wrong(format!("`front` is {axes}, or an angle in degrees, not {axis:?}"))
+                wrong(format!("`front` must be {axes}, or an angle in degrees, not {axis:?}"))
             })?),
         };
         if let Some(size) = written.size
             && !size.iter().all(|x| *x > 0.0 && *x <= LARGEST)
         {
-            return Err(wrong(format!("`size` is three lengths in metres, each more than 0 and at most {LARGEST}")));
+            return Err(wrong(format!(
+                "`size` must be three lengths in metres, each greater than 0 and at most {LARGEST}"
+            )));
         }
         Ok(Self {
             category: written.category.unwrap_or_else(|| words(stem).join(" ")),
@@ -142,16 +144,16 @@ mod tests {
             (r#"{"front": "-y", "up": "z"}"#, "oak chair front Some(0.0) size None"),
             (
                 r#"{"front": "y"}"#,
-                "its card oak_chair2.json cannot be used: `front` is \"+z\", \"+x\", \"-z\" or \"-x\", or an angle in degrees, not \"y\"",
+                "its card oak_chair2.json cannot be used: `front` must be \"+z\", \"+x\", \"-z\" or \"-x\", or an angle in degrees, not \"y\"",
             ),
-            (r#"{"up": "w"}"#, "its card oak_chair2.json cannot be used: `up` is \"y\" or \"z\", not \"w\""),
+            (r#"{"up": "w"}"#, "its card oak_chair2.json cannot be used: `up` must be \"y\" or \"z\", not \"w\""),
             (
                 r#"{"size": [1, 0, 3]}"#,
-                "its card oak_chair2.json cannot be used: `size` is three lengths in metres, each more than 0 and at most 1000",
+                "its card oak_chair2.json cannot be used: `size` must be three lengths in metres, each greater than 0 and at most 1000",
             ),
             (
                 r#"{"size": [1, 1e9, 3]}"#,
-                "its card oak_chair2.json cannot be used: `size` is three lengths in metres, each more than 0 and at most 1000",
+                "its card oak_chair2.json cannot be used: `size` must be three lengths in metres, each greater than 0 and at most 1000",
             ),
         ] {
             assert_eq!(said(text), wanted, "{text}");

@@ -69,10 +69,9 @@ fn findings(model: &Model, usual: Option<Vec3>) -> Vec<Diagnostic> {
 fn open(model: &Model) -> Option<Diagnostic> {
     let open = model.origin.open_edges;
     let edges = if open == 1 { "edge has" } else { "edges have" };
-    let say = format!("its mesh is open: {open} {edges} no triangle on the other side");
+    let say = format!("its mesh is not closed: {open} {edges} only one triangle");
     (open > 0).then(|| {
-        Diagnostic::without_place(codes::W0701, say)
-            .note("close the holes, or merge vertices that are at the same place")
+        Diagnostic::without_place(codes::W0701, say).note("close the holes, or merge vertices with the same position")
     })
 }
 
@@ -80,10 +79,10 @@ fn size(model: &Model, usual: Option<Vec3>) -> Option<Diagnostic> {
     let found = |say: String| Diagnostic::without_place(codes::W0702, say);
     if model.origin.distortion > DISTORTION {
         let say = format!(
-            "the size on its card differs in its proportions from its mesh, by a factor of {:.2}",
+            "the proportions of the size on its card differ from those of its mesh by a factor of {:.2}",
             model.origin.distortion
         );
-        return Some(found(say).note("write its width, height and depth when its front faces +z"));
+        return Some(found(say).note("give its width, height and depth with the front facing +z"));
     }
     let largest = model.size.max();
     match usual.map(|usual| usual.max()) {
@@ -108,7 +107,7 @@ fn with_unit(found: Diagnostic, ratio: f64) -> Diagnostic {
     let fits = |unit: &&(f64, &str)| (ratio * unit.0).ln().abs();
     let best = UNITS.iter().min_by(|a, b| fits(a).total_cmp(&fits(b))).filter(|unit| fits(unit) < 1.0);
     let found = match best {
-        Some((_, name)) => found.note(format!("its numbers may be in {name}")),
+        Some((_, name)) => found.note(format!("its unit may be {name}")),
         None => found,
     };
     found.note("write its size in metres on its card: `\"size\": [w, h, d]`")
@@ -116,7 +115,7 @@ fn with_unit(found: Diagnostic, ratio: f64) -> Diagnostic {
 
 fn front(model: &Model) -> Option<Diagnostic> {
     model.card.front.is_none().then(|| {
-        Diagnostic::without_place(codes::W0703, "nothing says where its front is; +z is assumed")
+        Diagnostic::without_place(codes::W0703, "the direction of its front is not given; +z is assumed")
             .note("state it on its card: `\"front\": \"+z\"`, another axis, or an angle in degrees")
     })
 }
@@ -128,7 +127,7 @@ fn base(model: &Model) -> Option<Diagnostic> {
     let say = format!("its lowest point is {} m {side} the origin of the file", shown(base.abs()));
     (base.abs() > most).then(|| {
         Diagnostic::without_place(codes::W0704, say)
-            .note("it is put on the floor; if it should hang higher, place it higher in the program")
+            .note("it is placed on the floor; if it should hang, give its height in the program")
     })
 }
 
@@ -138,8 +137,8 @@ fn parts(model: &Model) -> Option<Diagnostic> {
     let (filled, room) = (volume / origin.filled, origin.filled - volume);
     let say = format!("it is one piece that fills {:.0} % of its convex hull", 100.0 * filled);
     let note = match model.parts.len() {
-        1 => "nothing can stand in or under it".to_owned(),
-        parts => format!("it is cut into {parts} parts where that looks right"),
+        1 => "no object can stand in or under it".to_owned(),
+        parts => format!("it is cut into {parts} parts at the most suitable positions"),
     };
     (origin.pieces == 1 && filled < HOLLOW && room > ROOM).then(|| {
         Diagnostic::without_place(codes::W0705, say)
@@ -152,17 +151,17 @@ fn mass(model: &Model) -> Option<Diagnostic> {
     let density = mass / model.size.product();
     let why = match () {
         () if mass <= 0.0 => "which is not possible".to_owned(),
-        () if density < LIGHTEST => format!("lighter than the air in its box, {:.2} kg/m³", density),
+        () if density < LIGHTEST => format!("{:.2} kg/m³: less than the air in its box", density),
         () if density > HEAVIEST => format!("{density:.0} kg/m³: more than a block of steel of its size"),
         () => return None,
     };
     let say = format!("its mass is {} kg, {why}", shown(mass));
-    Some(Diagnostic::without_place(codes::W0706, say).note("write kilograms on its card: `\"mass\": 7.5`"))
+    Some(Diagnostic::without_place(codes::W0706, say).note("give the mass in kilograms on its card: `\"mass\": 7.5`"))
 }
 
 fn licence(model: &Model) -> Option<Diagnostic> {
     model.card.licence.is_none().then(|| {
-        Diagnostic::without_place(codes::W0707, "nothing says under which licence it may be used")
+        Diagnostic::without_place(codes::W0707, "no licence is stated")
             .note("state it on its card: `\"licence\": \"CC0-1.0\"`")
     })
 }

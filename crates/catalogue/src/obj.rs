@@ -24,7 +24,7 @@ pub(crate) fn read(bytes: &[u8], folder: &Path, door: &Door) -> Result<Raw, Faul
         }
     };
     let (models, materials) = tobj::load_obj_buf(&mut &*bytes, &options, materials)
-        .map_err(|e| broken(format!("it is not an OBJ file that can be read: {e}")))?;
+        .map_err(|e| broken(format!("it is not a valid OBJ file: {e}")))?;
     if let Some(refused) = refused.into_inner() {
         return Err(refused);
     }

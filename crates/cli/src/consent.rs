@@ -63,7 +63,7 @@ fn decide(given: &Given, environment: Option<&str>, own: &Llm, workspace: &Llm) 
         Some(CONFIGURED) => match (named(workspace), named(own)) {
             (Some(model), _) if model.starts_with("replay:") => {
                 let say = format!(
-                    "a workspace may not name a file to replay ({}); use `--model replay:FILE`",
+                    "the settings of a workspace cannot name a recording ({}); use `--model replay:FILE`",
                     plain(&model, 100)
                 );
                 return Err(Error::Setup(say));
@@ -245,7 +245,11 @@ mod tests {
         for (given, workspace, wanted) in [
             (Some("configured"), "", "needs a model in scenelang.toml"),
             (Some("configured"), "model = \"none\"", "needs a model in scenelang.toml"),
-            (Some("configured"), "model = \"replay:/etc/passwd\"", "a workspace may not name a file to replay"),
+            (
+                Some("configured"),
+                "model = \"replay:/etc/passwd\"",
+                "the settings of a workspace cannot name a recording",
+            ),
         ] {
             let error = decide(&flag(given, None), None, &Llm::default(), &llm(workspace)).unwrap_err();
             assert!(error.to_string().contains(wanted), "{error}");

@@ -120,7 +120,7 @@ fn chosen(scenes: Vec<Found>) -> Result<Option<Taken>, String> {
             first.name, other.name
         ));
     }
-    changed.iter().for_each(|found| found.tell("taking over from"));
+    changed.iter().for_each(|found| found.tell("keeping the edits in"));
     changed.truncate(1);
     let Some(found) = changed.into_iter().chain(same).next() else { return Ok(None) };
     let (changes, is_rewritten) = (found.changes(), found.is_rewritten());
@@ -200,9 +200,11 @@ impl Found {
         let mut out: Vec<String> = others.map(|file| relative(file, &self.path)).collect();
         let more = out.len().saturating_sub(NAMED);
         out.truncate(NAMED);
-        out.iter_mut().for_each(|file| *file = format!("`{file}` was edited as well and is overwritten in any case"));
+        out.iter_mut()
+            .for_each(|file| *file = format!("`{file}` was edited as well and will be overwritten regardless"));
         if more > 0 {
-            out.push(format!("so were {more} more files"));
+            let [files, were] = if more == 1 { ["file", "was"] } else { ["files", "were"] };
+            out.push(format!("{more} more {files} {were} edited as well"));
         }
         out
     }

@@ -257,11 +257,13 @@ pub fn notes(reading: &Reading) -> String {
     }
     match relaxed(reading) {
         0 => {}
-        1 => out.push_str("1 statement of the request became a preference, because it cannot hold with the rest\n"),
+        1 => out.push_str(
+            "1 statement from the request became a preference, because it cannot hold together with the others\n",
+        ),
         n => {
             let _ = writeln!(
                 out,
-                "{n} statements of the request became preferences, because they cannot hold with the rest"
+                "{n} statements from the request became preferences, because they cannot hold together with the others"
             );
         }
     }

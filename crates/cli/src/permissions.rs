@@ -15,14 +15,14 @@ pub fn listed(permissions: &[Permission]) -> String {
     for Permission { text, hides, complete } in permissions.iter().take(MOST) {
         let says = match hides {
             None if *complete => "hides nothing".to_owned(),
-            None => "there are too many objects in one place to determine what it hides".to_owned(),
+            None => "there are too many objects in one place to determine which overlaps it allows".to_owned(),
             Some(Overlap { objects: [a, b], depth, others }) => {
                 let more = match others {
                     0 => String::new(),
                     1 => ", and 1 more pair with a smaller overlap".to_owned(),
                     n => format!(", and {n} more pairs with smaller overlaps"),
                 };
-                format!("hides an overlap of {a} and {b} by {depth:.3} m{more}")
+                format!("allows {a} and {b} to overlap by {depth:.3} m{more}")
             }
         };
         let _ = writeln!(out, "  {text}: {says}");

@@ -80,7 +80,7 @@ fn human(found: &Query, in_full: bool) -> String {
 }
 
 fn table(found: &Query) -> String {
-    let mut table = Table::new(&["object", "category", "at", "turned", "holds", "fails", "unmet", "not judged"]);
+    let mut table = Table::new(&["object", "category", "at", "turned", "holds", "fails", "unmet", "not checked"]);
     for object in &found.objects {
         let counts = object.constraints;
         let [at, turned] = match &object.pose {
@@ -166,7 +166,7 @@ fn line(row: &Row, judged: bool) -> String {
         (Some(true), _) => "holds",
         (Some(false), Kind::Prefer) => "is not met",
         (Some(false), _) => "FAILS",
-        (None, _) if judged => "cannot be judged",
+        (None, _) if judged => "cannot be checked",
         (None, _) => "is stated",
     };
     let text = row.text.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -67,7 +67,7 @@ impl<'a> Rebuild<'a> {
             (None, Some(_), true) => Vec::new(),
             (None, Some(_), false) => vec!["the program is missing or was changed since it was written".to_owned()],
             (None, None, _) if self.known.program.is_empty() => vec!["it was not written before".to_owned()],
-            (None, None, _) => vec!["the request, or how it is read, has changed".to_owned()],
+            (None, None, _) => vec!["the request, or the way it is read, has changed".to_owned()],
         };
         self.told.program = Some(why);
         is_there && self.from != Some(Step::Program)
@@ -186,7 +186,7 @@ impl<'a> Rebuild<'a> {
         self.told.changed = replace::change(self.folder, files, (&gone, &record), inputs, may)?;
         for path in &self.told.changed.kept {
             let path = path.display().to_string();
-            eprintln!("note: {} no longer belongs to the scene, but it was edited and stays", plain::line(&path));
+            eprintln!("note: {} no longer belongs to the scene, but is kept because it was edited", plain::line(&path));
         }
         Ok(())
     }
@@ -212,7 +212,7 @@ impl Told {
         };
         stage(&mut out, "program", &self.program);
         if let Some((all, again)) = &self.assets {
-            let _ = writeln!(out, "assets   {} of {all} made again", again.len());
+            let _ = writeln!(out, "assets   {} of {all} rebuilt", again.len());
             for (objects, why) in alike(again) {
                 let _ = writeln!(out, "  {}: {why}", named(&objects));
             }
@@ -272,7 +272,7 @@ fn named(objects: &[&str]) -> String {
 }
 
 fn verdict(why: &[String]) -> String {
-    if why.is_empty() { "kept".to_owned() } else { format!("made again: {}", why.join(", ")) }
+    if why.is_empty() { "kept".to_owned() } else { format!("rebuilt: {}", why.join(", ")) }
 }
 
 /// A path as seen from the output folder.

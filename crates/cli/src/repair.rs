@@ -131,7 +131,7 @@ fn for_people(told: &Told<'_>, found: &Repaired, choice: Option<usize>, args: &R
         (_, true) => "no repair was found, which is not a proof that none exists\n".to_owned(),
         (None, false) => "nothing was written; use --apply N to apply one of these repairs\n".to_owned(),
         (Some(i), _) if args.dry_run => format!("repair {} would be applied; nothing was written\n", i + 1),
-        (Some(i), _) => format!("{} is made: {} written\n", i + 1, written.join(", ")),
+        (Some(i), _) => format!("repair {} applied; {} written\n", i + 1, written.join(", ")),
     } + &with
 }
 

@@ -57,7 +57,7 @@ fn preferred(found: &Found) -> String {
     if met >= all {
         return String::new();
     }
-    format!("preferences met: weight {met} of {all}; a higher --quality optimises longer\n")
+    format!("preferences met: weight {met} of {all}; use a higher --quality to optimise for longer\n")
 }
 
 /// What is free, in words.
@@ -81,7 +81,8 @@ fn in_the_way(found: &Found) -> String {
         1 => "this statement".to_owned(),
         n => format!("these {n} statements"),
     };
-    let mut out = format!("without {which} the rest can hold, as this layout shows; a smaller set may exist:\n");
+    let mut out =
+        format!("without {which}, all other statements can hold, as this layout shows; a smaller set may exist:\n");
     for (id, text) in list {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         out += &format!("  {}: {}\n", plain::line(&id), plain::line(&text));

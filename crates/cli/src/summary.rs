@@ -48,7 +48,7 @@ pub fn tell(how: &How<'_>, done: &Done<'_>) {
     match how.format {
         SummaryFormat::Human => {
             for line in &moved {
-                eprintln!("note: so that everything holds: {}", scenelang_base::plain::line(line));
+                eprintln!("note: changed so that everything holds: {}", scenelang_base::plain::line(line));
             }
             human(how, solved, files, seconds);
             eprint!("{}", formats::notes(lost));

@@ -136,7 +136,7 @@ fn by_object(trace: &Trace) -> String {
             (Some(true), _) => ": holds",
             (Some(false), _) => ": fails",
             (None, Some(_)) => "",
-            (None, None) => ": not judged",
+            (None, None) => ": not checked",
         };
         out.push_str(&format!("{} {}{verdict}\n", thing.kind, thing.name));
         for number in &thing.requirements {
@@ -162,7 +162,7 @@ fn line(statement: &Statement, judged: bool) -> String {
         (_, Some(true)) => "holds",
         (Kind::Prefer, Some(false)) => "is not met",
         (_, Some(false)) => "FAILS",
-        (_, None) if judged => "cannot be judged",
+        (_, None) if judged => "cannot be checked",
         (_, None) => "is stated",
     };
     let objects =
@@ -175,8 +175,8 @@ fn words(verdict: Verdict) -> &'static str {
         Verdict::Holds => "holds",
         Verdict::Fails => "FAILS",
         Verdict::Unmet => "a preference that is not met",
-        Verdict::Unknown => "cannot be judged",
-        Verdict::NotJudged => "not judged",
+        Verdict::Unknown => "cannot be checked",
+        Verdict::NotJudged => "not checked",
         Verdict::Declared => "declared",
         Verdict::None => "NO STATEMENT",
     }
@@ -188,8 +188,8 @@ fn summary(trace: &Trace) -> String {
         (s.holds, ["holds", "hold"]),
         (s.fails, ["fails", "fail"]),
         (s.unmet, ["is a preference that is not met", "are preferences that are not met"]),
-        (s.unknown, ["cannot be judged", "cannot be judged"]),
-        (s.not_judged, ["is not judged", "are not judged"]),
+        (s.unknown, ["cannot be checked", "cannot be checked"]),
+        (s.not_judged, ["is not checked", "are not checked"]),
         (s.declared, ["is declared", "are declared"]),
         (s.none, ["has no statement", "have no statement"]),
     ];
@@ -197,7 +197,7 @@ fn summary(trace: &Trace) -> String {
     let counts: Vec<String> =
         counts.map(|(count, [one, more])| format!("{count} {}", if *count == 1 { one } else { more })).collect();
     let of = match &trace.layout {
-        Some(layout) => format!("{}, judged by {layout}", trace.file),
+        Some(layout) => format!("{}, checked with {layout}", trace.file),
         None => format!("{}, without a layout", trace.file),
     };
     let colon = if counts.is_empty() { "" } else { ": " };

@@ -47,7 +47,7 @@ pub fn run(model: &Path) -> Result<Trial, String> {
             .map(|said| Trial { said })
             .map_err(|e| format!("{shown} did not answer as expected: {e}")),
         Some(MISSING) => Err(format!("{last}; {}", command())),
-        _ => Err(format!("MuJoCo cannot try {}: {last}", model.display())),
+        _ => Err(format!("MuJoCo cannot load {}: {last}", model.display())),
     }
 }
 
@@ -104,7 +104,7 @@ impl Trial {
             out += "  nothing overlaps by more than 2 mm\n";
         }
         if let (true, Some((name, far))) = (drifts.is_empty(), self.moves().next()) {
-            out += &format!("  nothing moves by more than 2 cm; {name} moves most, by {}\n", millimetres(far));
+            out += &format!("  no object moves by more than 2 cm; {name} moves the most, by {}\n", millimetres(far));
         }
         out
     }
@@ -123,7 +123,7 @@ mod tests {
         assert!(rest.holds());
         assert_eq!(
             rest.human(),
-            "MuJoCo 4, 2 s:\n  nothing overlaps by more than 2 mm\n  nothing moves by more than 2 cm; a moves most, by 0.4 mm\n"
+            "MuJoCo 4, 2 s:\n  nothing overlaps by more than 2 mm\n  no object moves by more than 2 cm; a moves the most, by 0.4 mm\n"
         );
         let moved = json!({ "engine": "MuJoCo 4", "overlaps": [{ "bodies": ["a", "b"], "depth": 0.01 }],
             "moves": [{ "body": "a", "distance": 0.4 }, { "body": "b", "distance": 0.001 }] });

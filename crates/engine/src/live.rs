@@ -96,7 +96,7 @@ impl<'a> Live<'a> {
             }
         }
         if !near.complete || self.collisions.len() > LISTED {
-            let say = "so many objects are in one place that the physical rules are not judged while they move";
+            let say = "too many objects are in one place: the physical rules are not checked while they move";
             self.dense = Some(too_dense(self.program, say.to_owned()));
             self.collisions.clear();
             self.rules = None;

@@ -126,18 +126,18 @@ impl Truth<'_> {
             return None;
         }
         if holds(a, b, same, !said.denied) {
-            return Some(format!("{}, and the contrary was requested", told()));
+            return Some(format!("{}, but the contrary was requested", told()));
         }
         if said.denied || family(&said.name).is_none() {
             return None;
         }
         if holds(a, b, opposite, false) {
-            return Some(format!("{}, and the opposite was requested", told()));
+            return Some(format!("{}, but the opposite was requested", told()));
         }
         let turned = a != b && holds(b, a, same, false) && !holds(b, a, opposite, false);
         // Two things may well face each other.
         let turned = turned && !["facing", "looksAt"].contains(&said.name.as_str());
-        turned.then(|| format!("{}, and the other way round was requested", told()))
+        turned.then(|| format!("{}, but the reverse was requested", told()))
     }
 
     /// The regions of two rooms of the ground truth, in order.

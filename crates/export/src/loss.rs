@@ -65,7 +65,7 @@ impl fmt::Display for Lost {
             Self::Textures => f.write_str("textures are lost: wood, fabric and the like have plain colours"),
             Self::Others => f.write_str("the file contains one object and nothing of the room around it"),
             Self::Program => {
-                f.write_str("program, layout and report are not embedded in the files, so `check` cannot judge them")
+                f.write_str("program, layout and report are not embedded in the files, so `check` cannot check them")
             }
         }
     }

@@ -68,7 +68,7 @@ namespace Scenelang
             foreach (ScenelangConstraint row in scene.Constraints) counts[(int)row.verdict]++;
             string text = counts[(int)ScenelangVerdict.Holds] + " hold, " + counts[(int)ScenelangVerdict.Violated] + " are violated";
             int open = counts[(int)ScenelangVerdict.NotJudged];
-            return open == 0 ? text : text + ", " + open + " could not be judged";
+            return open == 0 ? text : text + ", " + open + " could not be checked";
         }
 
         bool Mentions(ScenelangConstraint row)
@@ -102,7 +102,7 @@ namespace Scenelang
             {
                 case ScenelangVerdict.Holds: return "holds";
                 case ScenelangVerdict.Violated: return row.IsHard ? "violated" : "not met";
-                default: return "not judged";
+                default: return "not checked";
             }
         }
 

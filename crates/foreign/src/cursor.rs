@@ -44,7 +44,7 @@ impl<'a> At<'a> {
 
     fn is_not<T>(&self, expected: &str) -> Found<T> {
         let what = if self.path.is_empty() { "the file".to_owned() } else { format!("`{}`", self.path) };
-        self.fail(codes::E0504, format!("{what} is {}; {expected} was expected", self.node.kind()))
+        self.fail(codes::E0504, format!("{what} is {}, expected {expected}", self.node.kind()))
     }
 
     fn below(&self, node: &'a Node, step: &str) -> Self {
@@ -94,7 +94,8 @@ impl<'a> At<'a> {
     pub fn items(&self) -> Found<Vec<Self>> {
         let Some(items) = self.node.items() else { return self.is_not("an array") };
         if items.len() > MOST {
-            return self.fail(codes::E0005, format!("`{}` has {} entries; {MOST} are read", self.path, items.len()));
+            return self
+                .fail(codes::E0005, format!("`{}` has {} entries; the maximum is {MOST}", self.path, items.len()));
         }
         Ok(items.iter().enumerate().map(|(i, item)| self.below(item, &format!("[{i}]"))).collect())
     }
@@ -130,7 +131,7 @@ impl<'a> At<'a> {
             Json::Number(number) if number.abs() <= FARTHEST => Ok(number),
             Json::Number(number) => {
                 let shown = if number.abs() < 1e12 { number.to_string() } else { format!("{number:e}") };
-                self.fail(codes::E0505, format!("`{}` is {shown}; {FARTHEST} is the largest that can be", self.path))
+                self.fail(codes::E0505, format!("`{}` is {shown}; the largest absolute value is {FARTHEST}", self.path))
             }
             _ => self.is_not("a number"),
         }
@@ -142,7 +143,7 @@ impl<'a> At<'a> {
         if number > 0.0 {
             return Ok(number);
         }
-        self.fail(codes::E0505, format!("`{}` is {number}; a length is more than 0", self.path))
+        self.fail(codes::E0505, format!("`{}` is {number}; a length must be greater than 0", self.path))
     }
 
     /// `{ "x": …, "y": …, "z": … }`
@@ -157,19 +158,21 @@ impl<'a> At<'a> {
         let count = numbers.len();
         numbers
             .try_into()
-            .or_else(|_| self.fail(codes::E0504, format!("`{}` has {count} numbers; {N} were expected", self.path)))
+            .or_else(|_| self.fail(codes::E0504, format!("`{}` has {count} numbers, expected {N}", self.path)))
     }
 
     /// Whether these are the corners of a floor.
     pub fn outline(&self, corners: &[[f64; 2]]) -> Found<Vec<[f64; 2]>> {
         if corners.len() > MOST_CORNERS {
-            let say = format!("`{}` has {} corners; {MOST_CORNERS} are read", self.path, corners.len());
+            let say = format!("`{}` has {} corners; the maximum is {MOST_CORNERS}", self.path, corners.len());
             return self.fail(codes::E0005, say);
         }
         let corners = tidied(corners);
         match Polygon::new(&corners) {
             Ok(_) => Ok(corners),
-            Err(why @ NotSimple::Crossing(..)) => self.fail(codes::E0508, format!("{why}, of those that differ")),
+            Err(why @ NotSimple::Crossing(..)) => {
+                self.fail(codes::E0508, format!("{why}, counting only distinct vertices"))
+            }
             Err(why) => self.fail(codes::E0508, why.to_string()),
         }
     }

@@ -178,7 +178,7 @@ fn kind_of(root: &Node) -> Option<Kind> {
 /// The first thing that is wrong with it: the file is left alone then.
 pub fn read(name: &str, path: &Path, text: &str, file: FileId, beside: &Beside) -> Result<Foreign, Box<Diagnostic>> {
     if text.len() > MAX_BYTES {
-        let say = format!("{name} has more than {} MiB; such files are not read", MAX_BYTES >> 20);
+        let say = format!("{name} is larger than the maximum of {} MiB", MAX_BYTES >> 20);
         let note = "a house is a file of a few megabytes; large lists of assets stand in files of their own";
         return Err(Box::new(Diagnostic::without_place(codes::E0006, say).note(note)));
     }

@@ -229,31 +229,35 @@ impl Writer<'_> {
         };
         let mut sizes = Vec::new();
         for (what, whose) in &self.house.open {
-            let (n, list) = (many(whose.len(), "thing"), listed(whose));
+            let (n, list) = (many(whose.len(), "object"), listed(whose));
+            let their = if whose.len() == 1 { "its" } else { "their" };
             match what {
                 Open::Usual => {
-                    sizes.push(note(format!("the file does not say the size of {n}; the usual size is taken: {list}")))
+                    sizes.push(note(format!("the file does not give the size of {n}; the usual size is used: {list}")))
                 }
-                Open::Sizeless => sizes.push(note(format!("left out, since the size is not known: {n}: {list}"))),
-                Open::Nowhere => drop(note(format!("left out, since the file does not say where: {n}: {list}"))),
+                Open::Sizeless => sizes.push(note(format!("{n} left out, because {their} size is unknown: {list}"))),
+                Open::Nowhere => {
+                    drop(note(format!("{n} left out, because the file does not give {their} position: {list}")))
+                }
             }
         }
         let heights: Vec<String> =
             self.house.rooms.iter().filter(|r| r.height.is_none()).map(|r| r.id.clone()).collect();
         if !heights.is_empty() {
             let (n, list, height) = (many(heights.len(), "room"), listed(&heights), tidy(self.house.usual_height()));
-            note(format!("the file does not say the height of {n}; {height} m is taken: {list}"));
+            note(format!("the file does not give the height of {n}; {height} m is used: {list}"));
         }
         if !self.left_out.is_empty() {
             let (n, list) = (many(self.left_out.len(), "opening"), listed(&self.left_out));
-            note(format!("left out, since in no wall of any room: {n}: {list}"));
+            let they = if self.left_out.len() == 1 { "it is" } else { "they are" };
+            note(format!("{n} left out, because {they} not in the wall of any room: {list}"));
         }
         let rest = self.house.rest.list();
         if !rest.is_empty() {
-            note(format!("not taken over: {}", listed(&rest)));
+            note(format!("ignored members: {}", listed(&rest)));
         }
         for index in sizes {
-            out[index].notes.push("--sizes FILE takes sizes from a list of models".to_owned());
+            out[index].notes.push("pass --sizes FILE to read the sizes from a list of models".to_owned());
         }
         out
     }

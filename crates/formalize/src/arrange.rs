@@ -80,7 +80,7 @@ pub fn arrange_rooms(draft: &mut Draft) {
             Source::Stated(at) => at.clone(),
             Source::Inferred(_) => 0..0,
         };
-        let reason = format!("no place was found where the rooms of `{}` share a wall", opening.name);
+        let reason = format!("no arrangement was found in which the rooms of `{}` share a wall", opening.name);
         draft.notes.push(Note { at: words, reason });
     }
     for (room, place) in draft.rooms.iter_mut().zip(&places) {

@@ -53,8 +53,7 @@ pub fn with_model(
     let draft = match (draft, fallback) {
         (Ok(draft), _) => draft,
         (Err(error), Some(fallback)) => {
-            diagnostics
-                .push(format!("the model did not help: {error}; the program holds what was understood without it"));
+            diagnostics.push(format!("the model failed: {error}; the program contains what was understood without it"));
             fallback
         }
         (Err(error), None) => return Err(error),

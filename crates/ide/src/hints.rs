@@ -62,7 +62,7 @@ pub fn hints(snapshot: &Snapshot, range: TextRange) -> Result<Vec<Hint>, Cancell
             (Some(true), None) => continue,
             (Some(false), Some(margin)) => (format!("✗ {margin}"), "fails by so much"),
             (Some(false), None) => ("✗".to_owned(), "fails"),
-            (None, _) => ("?".to_owned(), "cannot be judged in this layout"),
+            (None, _) => ("?".to_owned(), "cannot be checked in this layout"),
         };
         out.push(Hint { at: row.place.range.end, label, kind: HintKind::Margin, tooltip: tooltip.to_owned() });
     }

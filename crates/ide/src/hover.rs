@@ -89,9 +89,7 @@ fn of_name(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<String>, Can
             let owner = word_of(*of);
             format!("{}\n\n{}{value}", code(&format!("{owner}.{} : {}", p.name, p.ty.name())), p.doc)
         }),
-        Symbol::AllRooms => {
-            Some(format!("{}\n\nall regions that are rooms, except those outdoors", code("Regions rooms")))
-        }
+        Symbol::AllRooms => Some(format!("{}\n\nall rooms: the regions that are not outdoors", code("Regions rooms"))),
         Symbol::AllObjects => Some(format!("{}\n\nall objects, including elements of arrays", code("Objects objects"))),
         Symbol::Component | Symbol::Side => None,
     })
@@ -322,7 +320,7 @@ fn state_in_words(row: &Row) -> String {
     match row.satisfied {
         Some(true) => format!("holds{by}"),
         Some(false) => format!("**fails**{by}"),
-        None => "cannot be judged in this layout".to_owned(),
+        None => "cannot be checked in this layout".to_owned(),
     }
 }
 

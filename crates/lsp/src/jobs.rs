@@ -310,7 +310,7 @@ impl State {
             if applied && let Some(layout) = layout {
                 state.documents.assume(&layout.path, layout.text);
             }
-            let refused = || Fault::Failed("the editor did not make the change".to_owned());
+            let refused = || Fault::Failed("the editor did not apply the change".to_owned());
             state.reply(&id, if applied { Ok(answer) } else { Err(refused()) });
         });
     }

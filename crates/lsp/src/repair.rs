@@ -84,7 +84,7 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fa
         let (judge, stop) = (job.judging.options, job.stop.clone());
         let alternatives = if lock.is_empty() { RepairOptions::default().alternatives } else { AMONG_LOCKED };
         let options = RepairOptions { budget, judge, stop, alternatives, ..RepairOptions::default() };
-        let unjudged = |_| Fault::Failed("the layout cannot be judged as a whole; its diagnostics say why".to_owned());
+        let unjudged = |_| Fault::Failed("the layout cannot be checked completely; its diagnostics say why".to_owned());
         let found = look(&damaged, &which, &options).map_err(unjudged)?;
         // An assertion is weakened only by an action that says so.
         let how = if matches!(wanted, Wanted::Program(_)) { How::Numbers } else { How::Moves };

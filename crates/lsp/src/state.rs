@@ -573,7 +573,7 @@ impl State {
         let layout = scene.layout.as_deref().filter(|_| count.is_some()).and_then(disk::uri_of);
         let [holds, total] = count.unwrap_or_default();
         let changed = json!({ "uri": uri, "holds": holds, "total": total, "layout": layout });
-        self.log(|| format!("judged {key}: {holds} of {total} hold"), || format!("generation {generation}"));
+        self.log(|| format!("checked {key}: {holds} of {total} hold"), || format!("generation {generation}"));
         for (uri, marks) in self.board.put(key, marks) {
             self.publish(&uri, &marks);
         }

@@ -32,7 +32,7 @@ impl Session {
     pub fn call(&mut self, request: &[u8]) -> Vec<u8> {
         let answer = match serde_json::from_slice(request) {
             Ok(request) => self.answer(request),
-            Err(why) => Err(format!("this is no request: {why}")),
+            Err(why) => Err(format!("this is not a valid request: {why}")),
         };
         let answer = match answer {
             // The macro would copy it, and a room is large.

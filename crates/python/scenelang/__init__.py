@@ -177,7 +177,7 @@ class Report:
     def rows(self) -> list[dict[str, Any]]:
         """The constraints as flat rows, for ``pandas.DataFrame`` or ``csv.DictWriter``.
 
-        Columns: ``id``, ``kind``, ``rule``, ``satisfied`` (None: cannot be judged), ``margin`` (metres or degrees; None where
+        Columns: ``id``, ``kind``, ``rule``, ``satisfied`` (None: cannot be checked), ``margin`` (metres or degrees; None where
         there is no measure), ``unit``, ``weight``, ``objects`` (joined by spaces), ``text``, ``message``.
         """
         columns = ("id", "kind", "rule", "satisfied", "margin", "unit", "weight", "objects", "text", "message")
@@ -186,7 +186,7 @@ class Report:
 
     def __repr__(self) -> str:
         held = ", ".join(f"{t['satisfied']} of {t['total']} {kind}" for kind, t in self.summary.items() if t["total"])
-        return f"<scenelang.Report {self.data['file']}: {'ok' if self.ok else 'not ok'}, {held or 'nothing judged'}>"
+        return f"<scenelang.Report {self.data['file']}: {'ok' if self.ok else 'not ok'}, {held or 'nothing checked'}>"
 
     def _repr_html_(self) -> str:
         plan = None
@@ -309,7 +309,7 @@ class Evaluator:
         """By how much each constraint holds (> 0) or fails (< 0), tolerances included; metres or degrees.
 
         ``poses[environments, objects, 7]`` gives ``[environments, constraints]`` in float64; ``poses[objects, 7]`` gives
-        ``[constraints]``. ±inf is a fact without a measure, NaN cannot be judged. An environment in which a pose is not finite
+        ``[constraints]``. ±inf is a fact without a measure, NaN cannot be checked. An environment in which a pose is not finite
         is NaN altogether.
 
         `threads` is how many work at once, 0 as many as there are cores. The margins do not depend on it.
@@ -319,7 +319,7 @@ class Evaluator:
         return shaped(data, "d", (*leading, len(self.columns)))
 
     def holds(self, poses: Any, *, order: Order = "wxyz", frame: Frame = "scene", threads: int = 0) -> Any:
-        """Which constraints hold, as `margins`, but bool. What cannot be judged does not hold."""
+        """Which constraints hold, as `margins`, but bool. What cannot be checked does not hold."""
         values, width, leading = flat(poses, len(self.objects))
         data = self._native.holds(values, width, order, frame, threads)
         return shaped(data, "?", (*leading, len(self.columns)))
@@ -387,7 +387,7 @@ def check(program: Source, layout: Placed | None = None) -> Report:
     """Judges a layout, or a program by itself: what is proved of it.
 
     A layout is a `Layout`, a path, the text of a layout file, or its data. The report is what ``scenelang check --format json``
-    prints. A layout that breaks something, or cannot be judged, is a report, too; `SceneError` is raised only where the
+    prints. A layout that breaks something, or cannot be checked, is a report, too; `SceneError` is raised only where the
     program does not compile or a file cannot be read.
     """
     program = _program(program)

@@ -5,7 +5,7 @@ from typing import Any
 
 #: So many rows are shown; how many there are is said.
 ROWS = 200
-MARKS = {True: ("holds", "#2e7d32"), False: ("fails", "#c62828"), None: ("cannot be judged", "#6d6d6d")}
+MARKS = {True: ("holds", "#2e7d32"), False: ("fails", "#c62828"), None: ("cannot be checked", "#6d6d6d")}
 
 
 def margin(row: dict[str, Any]) -> str:

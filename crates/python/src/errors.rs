@@ -24,7 +24,7 @@ pub fn sentence(said: impl Into<String>) -> PyErr {
 pub fn contradiction(checked: &Checked) -> PyErr {
     let errors: Vec<_> = checked.verdict.diagnostics.iter().filter(|d| d.is_error()).cloned().collect();
     let said = report::diagnostics(&errors, &checked.sources, false);
-    let said = format!("there is no layout in which all of it holds\n{}", said.trim_end());
+    let said = format!("no layout satisfies all of these\n{}", said.trim_end());
     ContradictionError::new_err((said, data(&checked.report.diagnostics)))
 }
 

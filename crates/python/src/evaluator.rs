@@ -67,7 +67,7 @@ impl Evaluator {
         let held = Arc::clone(&program.held);
         let (name, text) = layout;
         let checked = away(py, |_| held.judged((name.as_str(), text.as_str())))??;
-        let Some(layout) = checked.layout else { return Err(sentence(format!("{name} cannot be judged"))) };
+        let Some(layout) = checked.layout else { return Err(sentence(format!("{name} cannot be checked"))) };
         let options = held.judging()?.options;
         let named = |name: &String| {
             let found = held.program().objects.iter().position(|object| object.name == *name);
@@ -135,13 +135,16 @@ impl Evaluator {
         let convention = Convention::new(width, order, frame)?;
         let poses = poses.to_vec(py)?;
         if poses.len() != self.moved.len() * width {
-            return Err(PyValueError::new_err(format!("{} numbers are not the poses of one environment", poses.len())));
+            return Err(PyValueError::new_err(format!(
+                "expected the poses of one environment, found {} numbers",
+                poses.len()
+            )));
         }
         let mut layout = self.layout.clone();
         for (id, pose) in self.moved.iter().zip(poses.chunks(width)) {
             let name = self.name(*id);
             let Some((pos, rot)) = convention.read(pose) else {
-                return Err(PyValueError::new_err(format!("the pose of `{name}` is none: {pose:?}")));
+                return Err(PyValueError::new_err(format!("the pose of `{name}` is not valid: {pose:?}")));
             };
             for (_, placed) in layout.objects.iter_mut().filter(|(other, _)| other == name) {
                 (placed.pos, placed.rot) = (pos, rot);
@@ -169,7 +172,8 @@ impl Evaluator {
         let each = self.moved.len() * convention.width;
         if each == 0 || !poses.len().is_multiple_of(each) {
             let (objects, width) = (self.moved.len(), convention.width);
-            let said = format!("{} numbers are no array [environments, {objects} objects, {width}]", poses.len());
+            let said =
+                format!("{} numbers do not form an array [environments, {objects} objects, {width}]", poses.len());
             return Err(PyValueError::new_err(said));
         }
         let (environments, columns) = (poses.len() / each, self.held.program().constraints.len());

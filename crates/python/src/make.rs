@@ -148,7 +148,7 @@ pub fn repair(
         let (name, text) = &layout;
         let checked = held.judged((name.as_str(), text.as_str()))?;
         let (Some(program), Some(placed)) = (&checked.program, &checked.layout) else {
-            return Err(sentence(format!("{name} cannot be judged")));
+            return Err(sentence(format!("{name} cannot be checked")));
         };
         if let Some(finding) = too_large(program) {
             return Err(refused(&held.name, checked.sources.clone(), vec![finding]));
@@ -168,7 +168,7 @@ pub fn repair(
         let damaged = Damaged { program, layout: placed, text: Some(source) };
         let options = RepairOptions { judge, time, stop: stop.clone(), ..RepairOptions::default() };
         let found = look(&damaged, &which, &options)
-            .map_err(|Unjudged| sentence(format!("{name} cannot be judged as a whole; `check` says why")))?;
+            .map_err(|Unjudged| sentence(format!("{name} cannot be checked completely; `check` says why")))?;
         let told = Told { checked: &checked, program, name };
         let old = layout_file::read(text, scenelang_base::FileId(0));
         let way = |way: &Alternative| -> PyResult<Value> {
@@ -245,7 +245,7 @@ pub fn sample(
         return Err(refused(&held.name, held.compiled.sources.clone(), vec![finding]));
     }
     let Some(end) = first.checked_add(number).filter(|end| *end <= u64::MAX / 2) else {
-        return Err(PyValueError::new_err("there are no numbers that large"));
+        return Err(PyValueError::new_err("the number is too large"));
     };
     let threads = if threads == 0 { thread::available_parallelism().map_or(1, usize::from) } else { threads };
     away(py, |stop| {

@@ -212,7 +212,7 @@ impl Program {
         away(py, |_| {
             let checked = self.held.judged((name, text))?;
             let (Some(program), Some(layout)) = (&checked.program, &checked.layout) else {
-                return Err(sentence(format!("{name} cannot be judged")));
+                return Err(sentence(format!("{name} cannot be checked")));
             };
             let report = serde_json::to_value(&checked.report).map_err(|e| sentence(e.to_string()))?;
             let sources = &checked.sources;
@@ -220,7 +220,7 @@ impl Program {
             let stem = Path::new(&self.held.name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let input =
                 SceneInput { name: &stem, program, sources, files: &files, layout, layout_text: text, report: &report };
-            Ok(plan::svg(&Scene::build(&input).map_err(|e| sentence(format!("{name} cannot be drawn: {e}")))?))
+            Ok(plan::svg(&Scene::build(&input).map_err(|e| sentence(format!("{name} cannot be rendered: {e}")))?))
         })?
     }
 }

@@ -194,17 +194,20 @@ impl Coverage {
     pub fn text(&self, program: &Program, statement: &dyn Fn(usize) -> String) -> String {
         let mut out = format!("{} of {} samples stored, each verified\n", self.stored, self.asked);
         if self.no_layout > 0 {
-            let _ = writeln!(out, "for {} the draws admit no layout, as far as the solver finds", self.no_layout);
+            let [were, their] = if self.no_layout == 1 { ["was", "its"] } else { ["were", "their"] };
+            let no_layout = self.no_layout;
+            let _ = writeln!(out, "{no_layout} {were} left out, because the solver found no layout for {their} draws");
         }
         if self.unverified > 0 {
-            let _ = writeln!(out, "{} did not stand the check, and are not stored", self.unverified);
+            let were = if self.unverified == 1 { "was" } else { "were" };
+            let _ = writeln!(out, "{} failed the check and {were} not stored", self.unverified);
         }
         let moving = self.moving();
         if let Some([mean, least]) = self.nearest(&moving) {
             let among = self.places.len();
             let _ = writeln!(
                 out,
-                "from each sample to the one most like it, things that move are {mean:.3} m apart on average (among {among}; \
+                "movable objects are {mean:.3} m from those in the most similar other sample on average (among {among}; \
                  least {least:.3} m)"
             );
         }
@@ -223,7 +226,8 @@ impl Coverage {
             deviation(a).total_cmp(&deviation(b))
         });
         if !things.is_empty() {
-            out += "spread of things, the least first: deviation of the place, entropy of place and turn\n";
+            out +=
+                "spread of objects, the smallest first: deviation of the position, entropy of position and rotation\n";
         }
         for &i in things.iter().take(NAMED) {
             let spread = &self.spreads[i];
@@ -241,15 +245,16 @@ impl Coverage {
         }
         let tried = self.tally.moves.iter().fold([0, 0], |sum, m| [sum[0] + m[0], sum[1] + m[1]]);
         for ([tried, taken], what) in
-            [(self.tally.whole, "whole layouts"), (tried, "moves"), (self.tally.ways, "runs, by their ways")]
+            [(self.tally.whole, "whole layouts"), (tried, "moves"), (self.tally.ways, "runs checked for paths")]
         {
             if tried > 0 {
-                let _ = writeln!(out, "{taken} of {tried} {what} taken ({:.2} %)", 100.0 * taken as f64 / tried as f64);
+                let _ =
+                    writeln!(out, "{taken} of {tried} {what} accepted ({:.2} %)", 100.0 * taken as f64 / tried as f64);
             }
         }
         let refusals = self.refusals();
         if !refusals.is_empty() {
-            out += "refused most:\n";
+            out += "most frequent reasons for rejection:\n";
         }
         for (what, times) in refusals.into_iter().take(NAMED) {
             let (id, text) = match what {

@@ -73,7 +73,7 @@ impl Values {
             Self::Choice(names) => {
                 let each = names.iter().map(|(name, [stored, none])| match none {
                     0 => format!("{name} {stored}"),
-                    _ => format!("{name} {stored} (no layout: {none})"),
+                    _ => format!("{name} {stored} (without a layout: {none})"),
                 });
                 each.collect::<Vec<_>>().join(", ")
             }

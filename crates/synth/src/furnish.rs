@@ -243,7 +243,7 @@ fn message(code: Code, kinds: &[&str]) -> String {
         format!("the library has no model for {list}; {turns}")
     } else {
         let turns = if one { "it becomes a cube" } else { "they become cubes" };
-        format!("no usual size is known for {list}; {turns} of {DEFAULT_EDGE} m")
+        format!("there is no usual size for {list}; {turns} of {DEFAULT_EDGE} m")
     }
 }
 
@@ -381,7 +381,7 @@ mod tests {
         all(
             [
                 ("W0601 the library has no model for \"gizmo\"; it becomes a labelled box", "", asset),
-                ("W0602 no usual size is known for \"gizmo\"; it becomes a cube of 0.5 m", "", size),
+                ("W0602 there is no usual size for \"gizmo\"; it becomes a cube of 0.5 m", "", size),
             ],
             &["gizmo", "chair", "gizmo"],
         );
@@ -394,7 +394,7 @@ mod tests {
                     rest,
                 ),
                 (
-                    "W0602 no usual size is known for \"g0\", \"g1\", \"g2\" and 4 more; they become cubes of 0.5 m",
+                    "W0602 there is no usual size for \"g0\", \"g1\", \"g2\" and 4 more; they become cubes of 0.5 m",
                     "g1 g2 g3 g4",
                     rest,
                 ),

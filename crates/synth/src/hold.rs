@@ -50,7 +50,7 @@ impl Hold<'_> {
         let held = program.objects.iter().enumerate().map(|(i, o)| (i, o.name.as_str()));
         let held: Vec<(usize, &str)> = held.filter(|(i, _)| named[*i] == given).collect();
         if let Some((_, name)) = held.iter().find(|object| !placed(object)).filter(|_| given) {
-            let say = format!("`{name}` cannot be held: the layout to start from does not have it");
+            let say = format!("`{name}` cannot be locked: it is not in the layout to start from");
             let finding = Diagnostic::without_place(codes::E0201, say);
             return Err(Box::new(finding.note("name such a layout with `--layout`")));
         }

@@ -14,7 +14,7 @@ export interface Group {
 }
 
 const ORDER: readonly State[] = ["fails", "unknown", "holds"];
-const TITLES: Readonly<Record<State, string>> = { fails: "Fails", unknown: "Not judged", holds: "Holds" };
+const TITLES: Readonly<Record<State, string>> = { fails: "Fails", unknown: "Not checked", holds: "Holds" };
 
 export function groups(scene: Scene, by: Grouping): Group[] {
   return by === "state" ? byState(scene) : byObject(scene);

@@ -48,7 +48,7 @@ export class Status implements vscode.Disposable {
     if (!this.server.running) {
       this.say("$(warning) no server", "ScenethesisLang has no server; press to start it", "scenelang.restartServer");
       this.item.backgroundColor = new vscode.ThemeColor("statusBarItem.warningBackground");
-    } else if (tally === null || tally.total === 0) this.say("$(circle-outline) not judged", "There is nothing to judge: no layout, or the program does not compile", "scenelang.constraints.focus");
+    } else if (tally === null || tally.total === 0) this.say("$(circle-outline) not checked", "There is nothing to check: there is no layout, or the program does not compile", "scenelang.constraints.focus");
     else {
       const all = tally.holds === tally.total;
       this.say(`$(${all ? "pass" : "error"}) ${tally.holds}/${tally.total} hold`, "Constraints that hold; press to see all", "scenelang.constraints.focus");

@@ -104,7 +104,7 @@ check("solving again leaves a room as it is, and warns of nothing", async () => 
   await begin("scenelang.solveScene");
   await until("what it said", async () => (await notices()).some((notice) => /solved: (\d+) of \1 hold, with everything where it was/.test(notice)), 120_000);
   assert.deepEqual(layout("room"), before);
-  assert.ok((await notices()).every((notice) => !/did not make/.test(notice)));
+  assert.ok((await notices()).every((notice) => !/did not apply/.test(notice)));
   await command("notifications.clearAll");
   await command("workbench.action.closeAllEditors");
 });

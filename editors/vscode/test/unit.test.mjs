@@ -91,7 +91,7 @@ const SCENE = {
 const shape = (list) => list.map(({ name, state, constraints }) => [name, state, constraints.map(({ id }) => id).join("")]);
 
 test("constraints by state, the worst first, and no empty groups", () => {
-  assert.deepEqual(shape(groups(SCENE, "state")), [["Fails", "fails", "b"], ["Not judged", "unknown", "c"], ["Holds", "holds", "ad"]]);
+  assert.deepEqual(shape(groups(SCENE, "state")), [["Fails", "fails", "b"], ["Not checked", "unknown", "c"], ["Holds", "holds", "ad"]]);
   assert.deepEqual(groups({ ...SCENE, constraints: [] }, "state"), []);
 });
 

@@ -115,7 +115,7 @@ fn open_plainly(path: &Path) -> io::Result<File> {
     let opened = File::options().write(true).truncate(true).custom_flags(flags).open(path);
     let file = opened.map_err(|e| match e.raw_os_error() {
         Some(code) if code == rustix::io::Errno::NXIO.raw_os_error() => {
-            io::Error::new(io::ErrorKind::BrokenPipe, "it is a pipe that nobody reads; start its reader first")
+            io::Error::new(io::ErrorKind::BrokenPipe, "no process is reading from this pipe; start the reader first")
         }
         _ => e,
     })?;

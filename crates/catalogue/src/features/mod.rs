@@ -108,7 +108,8 @@ impl Features {
         for (a, b, names) in [(&found.clip, &found.clip_asked, [0, 2]), (&found.sbert, &found.sbert_asked, [1, 3])] {
             let [a_name, b_name] = names.map(|i| ARRAYS[i]);
             if a.width != b.width {
-                let say = format!("vectors of {a_name} have {} numbers, those of {b_name} {}", a.width, b.width);
+                let say =
+                    format!("the vectors of {a_name} have {} numbers, but those of {b_name} have {}", a.width, b.width);
                 return Err(broken(format!("{FOLDER}/: {say}; both must come from the same network")));
             }
         }
@@ -201,7 +202,10 @@ impl Vectors {
         };
         if shape[0] != rows {
             let list = if name.ends_with("queries.npy") { QUERIES } else { NAMES };
-            return Err(broken(format!("{FOLDER}/{name}: it has {} rows, {FOLDER}/{list} {rows} texts", shape[0])));
+            return Err(broken(format!(
+                "{FOLDER}/{name}: it has {} rows, but {FOLDER}/{list} has {rows} texts",
+                shape[0]
+            )));
         }
         if views > 1 && name.ends_with("queries.npy") {
             return Err(broken(format!("{FOLDER}/{name}: a query has one vector, not {views}")));

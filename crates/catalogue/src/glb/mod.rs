@@ -65,7 +65,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
     }
     let said = number(8).ok_or_else(|| broken("it ends within its header"))? as usize;
     if said > bytes.len() {
-        return Err(broken(format!("it ends early: it declares {said} bytes, but has {}", bytes.len())));
+        return Err(broken(format!("it is truncated: it declares {said} bytes, but has {}", bytes.len())));
     }
     let (mut json, mut binary) = (None, None);
     let mut at = 12;
@@ -107,7 +107,7 @@ fn refuse_references(document: &Document, binary: usize) -> Result<(), Fault> {
         uri.starts_with('/') || uri.contains(':') || uri.split('/').any(|part| part == "..")
     };
     match document.images.iter().filter_map(|i| i.uri.as_deref()).find(|u| !u.starts_with("data:") && leads_out(u)) {
-        Some(uri) => Err(fault(codes::E0703, format!("it has a picture outside of its folder: {}", excerpt(uri)))),
+        Some(uri) => Err(fault(codes::E0703, format!("it refers to a picture outside its folder: {}", excerpt(uri)))),
         None => Ok(()),
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn fit(model: &Model, query: &Query, metric: bool) -> Result<Piece, R
             let ratio = model.size.max() / usual.max();
             if !(1.0 / SCALE..=SCALE).contains(&ratio) {
                 let say = format!(
-                    "{}: it is {} m, but such an object is usually {} m",
+                    "{}: it is {} m, but such objects are usually {} m",
                     model.file,
                     shown(&model.size),
                     shown(&usual)
@@ -32,7 +32,7 @@ pub(super) fn fit(model: &Model, query: &Query, metric: bool) -> Result<Piece, R
         return Ok(scaled(model, &Vec3::repeat(scale), model.size * scale));
     };
     let by = wanted.component_div(&model.size);
-    let sizes = || format!("it is {} m, but {} m is wanted", shown(&model.size), shown(&wanted));
+    let sizes = || format!("it is {} m, but {} m is required", shown(&model.size), shown(&wanted));
     if by.max() / by.min() > STRETCH {
         let say =
             format!("{}: it would be stretched by a factor of {:.2}; {}", model.file, by.max() / by.min(), sizes());

@@ -133,14 +133,14 @@ fn findings_say_how_much_and_what_to_do() {
     assert_eq!(
         said,
         [
-            "a.glb W0701 its mesh is open: 3 edges have no triangle on the other side; close the holes, or merge vertices that are at the same place",
-            "b.glb W0702 its longest side is 120 m; the usual size of \"table\" is 1.4 m; its numbers may be in centimetres",
-            "c.glb W0702 the size on its card differs in its proportions from its mesh, by a factor of 2.00; write its width, height and depth when its front faces +z",
-            "d.glb W0702 its longest side is 900 m; its numbers may be in millimetres",
-            "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is put on the floor; if it should hang higher, place it higher in the program",
-            "e.glb W0706 its mass is 7000 kg, 9333 kg/m³: more than a block of steel of its size; write kilograms on its card: `\"mass\": 7.5`",
-            "f.glb W0705 it is one piece that fills 14 % of its convex hull; it is cut into 3 parts where that looks right; build it from several convex pieces that do not share edges",
-            "f.glb W0706 its mass is -1 kg, which is not possible; write kilograms on its card: `\"mass\": 7.5`",
+            "a.glb W0701 its mesh is not closed: 3 edges have only one triangle; close the holes, or merge vertices with the same position",
+            "b.glb W0702 its longest side is 120 m; the usual size of \"table\" is 1.4 m; its unit may be centimetres",
+            "c.glb W0702 the proportions of the size on its card differ from those of its mesh by a factor of 2.00; give its width, height and depth with the front facing +z",
+            "d.glb W0702 its longest side is 900 m; its unit may be millimetres",
+            "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is placed on the floor; if it should hang, give its height in the program",
+            "e.glb W0706 its mass is 7000 kg, 9333 kg/m³: more than a block of steel of its size; give the mass in kilograms on its card: `\"mass\": 7.5`",
+            "f.glb W0705 it is one piece that fills 14 % of its convex hull; it is cut into 3 parts at the most suitable positions; build it from several convex pieces that do not share edges",
+            "f.glb W0706 its mass is -1 kg, which is not possible; give the mass in kilograms on its card: `\"mass\": 7.5`",
         ]
     );
 }

@@ -87,9 +87,9 @@ fn each_way_to_fail_is_one_remark() {
     fs::write(folder.path().join("flat.glb"), block(1.0, 0.001, 1.0).glb()).unwrap();
     for (script, why, say) in [
         ("echo no graphics card >&2; exit 3", Why::Failed, "it ended with exit status: 3: no graphics card"),
-        ("true", Why::Failed, "it made nothing"),
+        ("true", Why::Failed, "it produced no model"),
         ("echo hello", Why::Broken, "it is not a GLB file"),
-        ("cat $1/short.glb", Why::Broken, "it ends early"),
+        ("cat $1/short.glb", Why::Broken, "it is truncated"),
         ("cat $1/flat.glb", Why::Size, "it would be stretched"),
         ("head -c 70000000 /dev/zero", Why::Broken, "it is larger than 64 MB"),
     ] {

@@ -29,7 +29,7 @@ fn each_file_that_cannot_be_used_is_one_diagnosis() {
         ("empty", Vec::new(), "E0701 it is not a GLB file"),
         ("text", b"solid".to_vec(), "E0701 it is not a GLB file"),
         ("header", good[..10].to_vec(), "E0701 it ends within its header"),
-        ("truncated", good[..good.len() - 7].to_vec(), "E0701 it ends early: it declares 700 bytes, but has 693"),
+        ("truncated", good[..good.len() - 7].to_vec(), "E0701 it is truncated: it declares 700 bytes, but has 693"),
         ("nan", strange(3, f32::NAN), "E0701 it has a vertex whose coordinates are not finite"),
         ("infinite", strange(3, f32::INFINITY), "E0701 it has a vertex whose coordinates are not finite"),
         ("far", strange(3, 1e30), "E0702 a vertex is 1.0e30 from the origin; the maximum is 10000"),
@@ -70,12 +70,12 @@ fn each_file_that_cannot_be_used_is_one_diagnosis() {
         (
             "picture",
             changed(|d| d["images"] = json!([{ "uri": "a/%2e%2e/../../key.png" }])),
-            "E0703 it has a picture outside of its folder: a/%2e%2e/../../key.png",
+            "E0703 it refers to a picture outside its folder: a/%2e%2e/../../key.png",
         ),
         (
             "address",
             changed(|d| d["images"] = json!([{ "uri": "http://a.example/x" }])),
-            "E0703 it has a picture outside of its folder: http://a.example/x",
+            "E0703 it refers to a picture outside its folder: http://a.example/x",
         ),
         (
             "circle",
@@ -139,7 +139,7 @@ fn obj_files_and_cards_are_not_trusted_either() {
             "face",
             format!("{cube}f 1 2 9\n"),
             Value::Null,
-            "E0701 it is not an OBJ file that can be read: face vertex index out of bounds",
+            "E0701 it is not a valid OBJ file: face vertex index out of bounds",
         ),
         (
             "nan",

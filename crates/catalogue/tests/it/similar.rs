@@ -204,7 +204,7 @@ fn features_that_cannot_be_used_are_one_diagnosis_and_words_decide() {
         (
             |f, _| fs::write(f.join("features/clip_queries.npy"), npy("(1, 3)", &[1.0, 0.0, 0.0])).unwrap(),
             "E0706",
-            "vectors of clip_models.npy have 2 numbers, those of clip_queries.npy 3",
+            "the vectors of clip_models.npy have 2 numbers, but those of clip_queries.npy have 3",
         ),
         (|f, _| fs::write(f.join("features/names.json"), "{}").unwrap(), "E0706", "it is not a list of strings"),
         (

@@ -46,7 +46,7 @@ pub fn run() -> u8 {
         match read.map_err(|e| e.to_string()).and_then(|_| serde_json::from_str(&text).map_err(|e| e.to_string())) {
             Ok(task) => task,
             Err(why) => {
-                eprintln!("error: `batch-line` is for `scenelang batch` to start: {why}");
+                eprintln!("error: `batch-line` can be started only by `scenelang batch`: {why}");
                 return FAILED;
             }
         };

@@ -89,7 +89,7 @@ pub fn text(trials: &[Trial]) -> String {
     }
     format!(
         "{}\n  solved: the verifier accepts the layout. Times: solver time until everything that must hold did, over all \
-         runs;\n  — means that too few of them got there.\n",
+         runs;\n  — means that too few runs were solved.\n",
         table.render()
     )
 }

@@ -33,7 +33,7 @@ pub fn run(args: &EvalDataset) -> u8 {
             None => {}
         }
         let good = scenes.iter().filter(|scene| scene.holds()).count();
-        progress.say(format!("{} of {} scenes, everything holds in {good}", scenes.len(), args.scenes));
+        progress.say(format!("{} of {} scenes; all hard constraints hold in {good}", scenes.len(), args.scenes));
     };
     let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
     parallel::in_order(&numbers, jobs, |number| (!interrupt::asked()).then(|| solved(args.seed, *number, &stop)), each);
@@ -86,7 +86,7 @@ fn text(statistics: &Statistics) -> String {
     }
     let mut out = table.render();
     let [[holding, of], [held, all]] = [statistics.holding, statistics.relations];
-    let _ = writeln!(out, "\neverything that must hold does so in {holding} of {of} scenes that can have a layout");
+    let _ = writeln!(out, "\nall hard constraints hold in {holding} of the {of} scenes that can have a layout");
     let _ = writeln!(out, "{held} of {all} relations hold");
     out
 }

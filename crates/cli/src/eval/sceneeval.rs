@@ -39,7 +39,7 @@ pub fn run(args: &EvalSceneEval) -> u8 {
         return fail(&message);
     }
     for unread in &benchmark.unread {
-        crate::out::tell(format_args!("warning: {}: {unread}; it is not judged\n", args.annotations.display()));
+        crate::out::tell(format_args!("warning: {}: {unread}; it is not checked\n", args.annotations.display()));
     }
     interrupt::gently();
     let mut scores = Scores { cases: Vec::new(), unread: benchmark.unread };

@@ -189,13 +189,13 @@ fn texts_of(args: &EvalRun, to: &Path) -> Result<(), String> {
 fn shown(figures: &Figures) -> String {
     let list = |values: &[f64]| values.iter().map(|x| format!("{x:.1}")).collect::<Vec<_>>().join(", ");
     let mut out = format!("relations that hold after each iteration, %: {}\n", list(&figures.search));
-    out += &format!("everything that must hold does so in {} of {} scenes\n", figures.scenes, figures.size[0]);
+    out += &format!("all hard constraints hold in {} of {} scenes\n", figures.scenes, figures.size[0]);
     out += &format!(
-        "Holodeck's floor solver, rebuilt, %: {} of the relations, {} of the objects placed\n",
+        "Holodeck's floor solver (reimplemented): {} % of the relations hold, {} % of the objects are placed\n",
         figures.grid[0], figures.grid[1]
     );
     if let Some([held, placed]) = figures.direct {
-        out += &format!("direct prompting, %: {held} of the relations, {placed} of the objects placed\n");
+        out += &format!("direct prompting: {held} % of the relations hold, {placed} % of the objects are placed\n");
     }
     for (row, tau) in figures.resemblance.iter().zip(scenelang_eval::resemblance::TAUS) {
         let similarity = &figures.similarity;

@@ -93,7 +93,7 @@ pub fn why_not(call: &Call<'_>, WhyNot { file, statement, proof }: WhyNot) -> An
         (true, true) => {
             "nothing is proved impossible, which does not mean that there is a layout; `solve` looks for one"
         }
-        (true, false) => "nothing is proved impossible, but not everything was looked at; `solve` looks for a layout",
+        (true, false) => "nothing is proved impossible, but not everything was examined; `solve` looks for a layout",
     }
     .into();
     if !contradictions.is_empty() {

@@ -95,7 +95,10 @@ pub struct Solve {
 pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
     let path = call.workspace.scene_file(&file)?;
     if !is_program(&path) {
-        return Err(format!("{} is no program; `solve` takes NAME.scene, `repair` a layout", called(&path)));
+        return Err(format!(
+            "{} is not a program; `solve` takes NAME.scene, and `repair` takes a layout",
+            called(&path)
+        ));
     }
     let layout = layout_of(&path);
     let files = call.workspace.files(&path);
@@ -160,7 +163,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
 /// Why a program cannot be laid out.
 fn input(name: &str, findings: &[Diagnostic]) -> String {
     let first = findings.iter().find(|d| d.is_error()).or(findings.first());
-    format!("{name} cannot be laid out: {}; `check` says more", first.map_or("it has errors", |d| &d.message))
+    format!("{name} cannot be solved: {}; `check` says more", first.map_or("it has errors", |d| &d.message))
 }
 
 #[derive(Deserialize)]
@@ -222,13 +225,14 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
             (false, true) if found.contradiction.is_some() => "no layout satisfies all statements of the contradiction",
             (true, _) => "nothing to repair",
             (false, true) => "no repair was found, which is not a proof that none exists",
-            (false, false) => "nothing has been changed yet: call again with `apply` and the number of one of the ways",
+            (false, false) => "nothing has been changed yet; to apply a repair, call again with its number as `apply`",
         }
         .into();
         return Ok(ToolAnswer::of(out));
     };
     let chosen = usize::from(n).checked_sub(1).and_then(|i| found.alternatives.get(i));
-    let chosen = chosen.ok_or_else(|| format!("there is no way number {n}; there are {}", found.alternatives.len()))?;
+    let chosen =
+        chosen.ok_or_else(|| format!("there is no repair number {n}; there are {}", found.alternatives.len()))?;
     let mut made: Vec<Made> = programs(&files.door, &checked, chosen)?
         .into_iter()
         .map(|(_, path, text)| Made { path, text, edited: true })
@@ -258,7 +262,7 @@ fn kept(call: &Call<'_>, out: &mut Value, made: Vec<Made>) -> Result<(), String>
     } else {
         out["in_memory"] = json!(names);
         out["note"] =
-            "the server may not write files: its tools see these until it ends; `scenelang mcp --write` writes them to disk"
+            "the server is not allowed to write files: only its tools can see these, until it stops; with `scenelang mcp --write`, they are written to disk"
                 .into();
     }
     Ok(())

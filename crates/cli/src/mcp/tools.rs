@@ -98,39 +98,39 @@ const PROGRAM: Param = needed("file", Kind::Text, "a program, room.scene; from t
 pub const TOOLS: &[Spec] = &[
     Spec {
         name: "check",
-        says: "Say what holds of a program and the layout beside it, what fails and why, and what is wrong with the text.",
+        says: "Check a program and the layout beside it: what holds, what fails and why, and the errors in the program.",
         takes: &[FILE],
         makes: false,
         run: |call, args| judging::check(call, read(args)?),
     },
     Spec {
         name: "explain",
-        says: "Say what a code (E0201, V0102) or a word of the language (near, gap, surface) means, with examples.",
+        says: "Explain a code (E0201, V0102) or a word of the language (near, gap, surface), with examples.",
         takes: &[needed("word", Kind::Text, "the code or the word")],
         makes: false,
         run: |call, args| looking::explain(call, read(args)?),
     },
     Spec {
         name: "formalize",
-        says: "Write a program from a request in plain English, and say which of its words became no part of it.",
+        says: "Write a program from a request in plain English, and list the words that were not used.",
         takes: &[
             needed("request", Kind::Text, "what is wanted: a study with a desk by the window and a lamp on it"),
-            may("file", Kind::Text, "the program to make, room.scene; without it, it is only shown"),
-            may("literal", Kind::Flag, "add nothing that the request does not say"),
+            may("file", Kind::Text, "the file to write, such as room.scene; if omitted, the program is only returned"),
+            may("literal", Kind::Flag, "add nothing that the request does not mention"),
         ],
         makes: true,
         run: |call, args| making::formalize(call, read(args)?),
     },
     Spec {
         name: "solve",
-        says: "Place the objects of a program so that it holds; makes the layout beside it, room.layout.json.",
+        says: "Find a layout that satisfies a program; it is written beside the program, as room.layout.json.",
         takes: &[
             PROGRAM,
             may("seed", Kind::Whole, "another seed gives another layout, the same seed the same"),
             may(
                 "lock",
                 Kind::Texts,
-                "objects, or whole arrays, that stay where the layout beside the program has them",
+                "objects or whole arrays that stay where they are in the layout beside the program",
             ),
         ],
         makes: true,
@@ -138,18 +138,18 @@ pub const TOOLS: &[Spec] = &[
     },
     Spec {
         name: "repair",
-        says: "Say by which smallest changes a layout or its program would hold, each verified; with `apply`, make one.",
+        says: "List the smallest verified changes of a layout or its program that make everything hold; with `apply`, apply one of them.",
         takes: &[
             FILE,
             may("constraint", Kind::Text, "repair only this: a line of the program, or an id that check gives"),
-            may("apply", Kind::Whole, "make the change of this number"),
+            may("apply", Kind::Whole, "apply the repair with this number"),
         ],
         makes: true,
         run: |call, args| making::repair(call, read(args)?),
     },
     Spec {
         name: "why_not",
-        says: "Say which statements of a program contradict each other, as the smallest sets for which that is proved.",
+        says: "List the statements of a program that contradict each other, as the smallest sets for which this is proved.",
         takes: &[
             PROGRAM,
             may(
@@ -157,7 +157,7 @@ pub const TOOLS: &[Spec] = &[
                 Kind::Text,
                 "a statement to add first, so as to ask why it cannot hold: assert near(desk, window);",
             ),
-            may("proof", Kind::Flag, "say step by step why"),
+            may("proof", Kind::Flag, "explain the proof step by step"),
         ],
         makes: false,
         run: |call, args| judging::why_not(call, read(args)?),
@@ -174,14 +174,14 @@ pub const TOOLS: &[Spec] = &[
     },
     Spec {
         name: "speculate",
-        says: "Say what an edit of a program or a layout would do to the verdict, without making it.",
+        says: "Show what an edit of a program or a layout would change in the results, without making the edit.",
         takes: &[
             FILE,
             may("text", Kind::Text, "the whole new text of the file"),
             may(
                 "edits",
                 Kind::Edits,
-                "in place of `text`: pieces of the file, each of which is in it once, and what replaces them",
+                "instead of `text`: pieces of the file, each of which occurs in it once, with their replacements",
             ),
         ],
         makes: false,
@@ -189,7 +189,7 @@ pub const TOOLS: &[Spec] = &[
     },
     Spec {
         name: "vocabulary",
-        says: "List the predicates, functions and properties there are; with a word, say what those with it in their name mean, and which categories of things there are, with their usual sizes.",
+        says: "List all predicates, functions and properties; with a word, explain those whose names contain it, and list the categories of objects whose names contain it, with their usual sizes.",
         takes: &[may("word", Kind::Text, "a part of the names: near, chair")],
         makes: false,
         run: |call, args| looking::vocabulary(call, read(args)?),
@@ -197,7 +197,7 @@ pub const TOOLS: &[Spec] = &[
 ];
 
 /// How it begins to be said that arguments are wrong.
-const UNFIT: &str = "the arguments do not fit";
+const UNFIT: &str = "the arguments are not valid";
 
 /// The tool of a name.
 pub fn find(name: &str) -> Option<&'static Spec> {

@@ -127,7 +127,7 @@ impl Site {
             Ok(Err(Refused::Wrong(why))) => text(StatusCode::BAD_REQUEST, why),
             Ok(Err(Refused::Changed(why))) => text(StatusCode::CONFLICT, why),
             Ok(Err(Refused::Failed(why))) => text(StatusCode::INTERNAL_SERVER_ERROR, why),
-            Err(_) => text(StatusCode::INTERNAL_SERVER_ERROR, "it cannot be judged"),
+            Err(_) => text(StatusCode::INTERNAL_SERVER_ERROR, "it cannot be checked"),
         }
     }
 

@@ -87,8 +87,8 @@ fn check_has_three_forms_and_three_exit_codes() {
     let ended = scenelang(folder.path(), ["assets", "check", "models"]);
     assert_eq!(ended.code, 1, "{}", ended.stdout);
     for line in [
-        "models/a.obj: warning[W0703]: nothing says where its front is; +z is assumed\n",
-        "models/a.obj: warning[W0707]: nothing says under which licence it may be used\n",
+        "models/a.obj: warning[W0703]: the direction of its front is not given; +z is assumed\n",
+        "models/a.obj: warning[W0707]: no licence is stated\n",
         "models: no findings in 2 of 3 models\n",
     ] {
         assert!(ended.stdout.contains(line), "{}", ended.stdout);

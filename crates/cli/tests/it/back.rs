@@ -200,7 +200,7 @@ fn what_was_removed_or_added_is_told() {
         assert!(ended.stderr.contains(part), "{part}: {ended:?}");
     }
     let ended = room.run(&SYNTH, &["--take"], 0);
-    for part in ["`bed` was removed from the scene", "`sofa` was added", "so that everything holds: `bed` was put in"] {
+    for part in ["`bed` was removed from the scene", "`sofa` was added", "so that everything holds: `bed` was added"] {
         assert!(ended.stderr.contains(part), "{part}: {ended:?}");
     }
     assert!(read_json(&room.at("out/room.layout.json"))["objects"]["bed"].is_object());

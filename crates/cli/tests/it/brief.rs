@@ -64,5 +64,5 @@ fn what_cannot_hold_is_counted_as_a_preference() {
     let request = "A study with a desk and a sofa. The desk is at most 1 m from the sofa. The desk is at least 3 m from the sofa.";
     let ended = formalize(folder.path(), &["--untried", "--strict", request]);
     assert_eq!(ended.code, 1, "{ended:?}");
-    assert!(ended.stderr.contains("1 statement of the request became a preference"), "{ended:?}");
+    assert!(ended.stderr.contains("1 statement from the request became a preference"), "{ended:?}");
 }

@@ -222,7 +222,7 @@ fn addresses_and_keys() -> Vec<Case> {
             name: "a file to replay",
             workspace: "[llm]\nmodel = \"replay:/etc/passwd\"\n",
             args: CONFIGURED,
-            said: "a workspace may not name a file to replay (replay:/etc/passwd)",
+            said: "the settings of a workspace cannot name a recording (replay:/etc/passwd)",
             ..refused
         },
     ]

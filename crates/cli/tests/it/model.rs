@@ -157,7 +157,7 @@ fn whatever_a_model_does_the_scene_is_solved() {
 fn what_cannot_be_tried_is_said_before_anything_is_done() {
     for (args, settings, said) in [
         (vec!["--model", "openai:gpt-4o"], "", "error: openai needs a key: set OPENAI_API_KEY\n"),
-        (vec!["--model", "gpt-4o"], "", "error: a model is written PROVIDER:NAME; the providers are openai, "),
+        (vec!["--model", "gpt-4o"], "", "error: a model is given as PROVIDER:NAME; the providers are openai, "),
         (vec!["--model", "compatible:m"], "", "error: compatible is any server with the OpenAI interface: "),
         (
             vec!["--model", "compatible:m", "--base-url", "http://192.0.2.1"],

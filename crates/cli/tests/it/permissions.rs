@@ -31,7 +31,7 @@ fn each_permission_says_what_it_hides() {
     let said = scenelang(folder.path(), ["check", "room.layout.json"]);
     assert_eq!(said.code, 0, "{}", said.stderr);
     for line in [
-        "allowCollide(crate[0], crate[1]): hides an overlap of crate[0] and crate[1] by 0.200 m\n",
+        "allowCollide(crate[0], crate[1]): allows crate[0] and crate[1] to overlap by 0.200 m\n",
         "allowCollide(box, objects): hides nothing\n",
     ] {
         assert!(said.stdout.contains(line), "{}", said.stdout);

@@ -278,7 +278,7 @@ fn what_the_user_changed_stays_and_is_named() {
     assert_eq!(folder.run(&[]).code, 2, "an edited project is not written over without a word");
     let ended = folder.synth(&["--overwrite"]);
     let said = format!(
-        "{} no longer belongs to the scene, but it was edited and stays",
+        "{} no longer belongs to the scene, but is kept because it was edited",
         Path::new("out").join(navy).display()
     );
     assert!(ended.stderr.contains(&said), "{}", ended.stderr);
@@ -408,15 +408,15 @@ fn the_explanation_is_for_people() {
     let folder = Folder::made(ROOM, &[]);
     folder.program(&ROOM.replace("\"red\"", "\"navy\"").replace("<= 0.3", "<= 0.25"));
     let told = folder.synth(&["--explain-rebuild"]).stdout;
-    let from = told.find("program  made").unwrap();
+    let from = told.find("program  rebuilt").unwrap();
     let told = &told[from..];
     let told = &told[..told.find("\n\n").unwrap()];
-    let wanted = r#"program  made again: room.scene was changed
-assets   1 of 3 made again
-  stool: color was "red", is "navy"
-layout   made again: `assert inFrontOf(stool, desk) and gap(stool, desk) >= 0.2 and gap(stool, desk) <= 0.25` was added, `assert inFrontOf(stool, desk) and gap(stool, desk) >= 0.2 and gap(stool, desk) <= 0.3` was removed
-export   unity: made again: `stool` looks different, the text of the program has changed, the text of the report has changed
-export   glb: made again: `stool` looks different, the text of the program has changed, the text of the report has changed
+    let wanted = r#"program  rebuilt: room.scene was changed
+assets   1 of 3 rebuilt
+  stool: color has changed from "red" to "navy"
+layout   rebuilt: `assert inFrontOf(stool, desk) and gap(stool, desk) >= 0.2 and gap(stool, desk) <= 0.25` was added, `assert inFrontOf(stool, desk) and gap(stool, desk) >= 0.2 and gap(stool, desk) <= 0.3` was removed
+export   unity: rebuilt: `stool` looks different, the text of the program has changed, the text of the report has changed
+export   glb: rebuilt: `stool` looks different, the text of the program has changed, the text of the report has changed
 files    10 written, 2 removed
   removed unity/Assets/Scenelang/Materials/wood-c23b33.mat
   removed unity/Assets/Scenelang/Materials/wood-c23b33.mat.meta"#;

@@ -46,7 +46,7 @@ fn what_is_in_the_way_is_named_in_words() {
     fs::write(folder.path().join("room.scene"), &scene).unwrap();
     let ended = scenelang(folder.path(), ["solve", "room.scene"]);
     assert_eq!(ended.code, 1, "{}", ended.stderr);
-    let said = "without this statement the rest can hold, as this layout shows; a smaller set may exist:\n  \
+    let said = "without this statement, all other statements can hold, as this layout shows; a smaller set may exist:\n  \
                 room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 2\n";
     assert!(ended.stdout.contains("when the budget was used up (--effort increases it)\n"), "{}", ended.stdout);
     assert!(ended.stdout.contains(said), "{}", ended.stdout);

@@ -59,7 +59,7 @@ fn people_read_it_both_ways() {
     insta::assert_snapshot!("trace-by-object", ended.stdout);
     let ended = trace(&files[..1], &[]);
     assert!(
-        ended.stdout.contains("not judged") && ended.stdout.contains("\"it feels cosy\": NO STATEMENT\n"),
+        ended.stdout.contains("not checked") && ended.stdout.contains("\"it feels cosy\": NO STATEMENT\n"),
         "{ended:?}"
     );
 }
@@ -110,9 +110,9 @@ fn exit_codes_tell_good_missing_and_unjudged() {
     let nested = "import \"room.scene\";\n@req(\"more\") assert desk.pos.y = 0;\n";
     for (files, more, code, said) in [
         (vec![("room.scene", good.as_str()), ("room.layout.json", LAYOUT)], vec![], 0, "4 hold"),
-        (vec![("room.scene", good.as_str())], vec![], 0, "not judged"),
+        (vec![("room.scene", good.as_str())], vec![], 0, "not checked"),
         (vec![("room.scene", SCENE)], vec![], 1, "1 has no statement"),
-        (vec![("room.scene", good.as_str()), ("room.layout.json", missing.as_str())], vec![], 2, "cannot be judged"),
+        (vec![("room.scene", good.as_str()), ("room.layout.json", missing.as_str())], vec![], 2, "cannot be checked"),
         (vec![("room.scene", good.as_str()), ("room.layout.json", "{")], vec![], 2, ""),
         (vec![("room.scene", "object")], vec![], 2, ""),
         (vec![], vec![], 2, ""),
@@ -121,7 +121,7 @@ fn exit_codes_tell_good_missing_and_unjudged() {
             vec![("room.scene", good.as_str()), ("other.layout.json", LAYOUT)],
             vec!["other.layout.json"],
             0,
-            "judged by other",
+            "checked with other",
         ),
         (vec![("room.scene", "")], vec![], 0, "0 requirements"),
     ] {
@@ -134,7 +134,7 @@ fn exit_codes_tell_good_missing_and_unjudged() {
     assert_eq!(ended.code, 0, "{ended:?}");
     let dir = folder_of(&[("room.scene", good.as_str()), ("all.scene", nested)]);
     let ended = scenelang(dir.path(), ["trace", "all.scene"]);
-    assert!(ended.stdout.contains("\"more\": not judged") && ended.stdout.contains("\"two chairs\""), "{ended:?}");
+    assert!(ended.stdout.contains("\"more\": not checked") && ended.stdout.contains("\"two chairs\""), "{ended:?}");
 }
 
 #[test]

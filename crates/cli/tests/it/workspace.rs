@@ -182,7 +182,7 @@ fn the_settings_are_named_by_every_command_that_judges() {
         write(folder.path(), "scenelang.toml", settings);
         for command in commands {
             let told = scenelang(folder.path(), command);
-            let line = told.stdout.lines().filter(|line| *line == "judged with scenelang.toml: physics off").count();
+            let line = told.stdout.lines().filter(|line| *line == "checked with scenelang.toml: physics off").count();
             assert_eq!(line, usize::from(wanted), "{command:?}: {}{}", told.stdout, told.stderr);
             let json = scenelang(folder.path(), command.iter().chain(&["--format", "json"]));
             let schema = match command[0] {

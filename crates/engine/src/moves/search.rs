@@ -41,7 +41,7 @@ pub(super) struct Freedom {
 const SWEEP: f64 = 10.0;
 const HALF_TURN: f64 = 180.0;
 /// What is so near to square is meant to be (degrees).
-const NEARLY_SQUARE: f64 = 10.0;
+const NEARLY_SQUARE: f64 = 20.0;
 
 /// A move: metres along x, y, z, and degrees.
 type Move = [f64; 4];

@@ -176,7 +176,7 @@ fn what_is_wrong() {
     };
     for (statement, want) in [
         ("assert forall l in lamp: on(l, desk)", None),
-        ("assert on(desk, lamp[0])", Some("the other way round was requested")),
+        ("assert on(desk, lamp[0])", Some("the reverse was requested")),
         ("assert forall l in lamp: not on(l, desk)", Some("the contrary was requested")),
         ("assert beside(bin, desk)", Some("the contrary was requested")),
         ("assert not beside(bin, desk)", None),

@@ -46,7 +46,7 @@ pub(super) fn apply(text: &str, standing: &[Standing]) -> Edited {
             Some(&i) => {
                 edits.object(name, &standing[i]);
                 for copy in own.iter().filter(|copy| **copy != i) {
-                    edits.say(format!("`{name}` was copied as `{}`; the copy is not judged", standing[*copy].name));
+                    edits.say(format!("`{name}` was copied as `{}`; the copy is not checked", standing[*copy].name));
                 }
             }
         }
@@ -55,7 +55,7 @@ pub(super) fn apply(text: &str, standing: &[Standing]) -> Edited {
         if thing.is_building {
             edits.building(thing);
         } else {
-            edits.say(format!("`{}` was added; it is not in the program, so it is not judged", thing.name));
+            edits.say(format!("`{}` was added; it is not in the program, so it is not checked", thing.name));
         }
     }
     let layout = edits.is_other.then(|| file::to_json(&edits.layout, Some(&read.document)));
@@ -77,7 +77,7 @@ impl Edits {
     fn remove(&mut self, name: &str) {
         self.layout.objects.retain(|(n, _)| n != name);
         self.is_other = true;
-        self.say(format!("`{name}` was removed from the scene or switched off"));
+        self.say(format!("`{name}` was removed from the scene or deactivated"));
     }
 
     fn object(&mut self, name: &str, thing: &Standing) {
@@ -85,10 +85,10 @@ impl Edits {
             self.say(format!("`{name}` was renamed to `{}` in the scene", thing.name));
         }
         if let Some(parent) = &thing.parent {
-            self.say(format!("`{name}` was moved under `{parent}`; it is judged where it stands"));
+            self.say(format!("`{name}` was made a child of `{parent}`; it is checked at its current position"));
         }
         let Some(place) = &thing.place else {
-            return self.say(format!("`{name}` was sheared or mirrored; it is judged as it was exported"));
+            return self.say(format!("`{name}` was sheared or mirrored; it is checked as it was exported"));
         };
         let Some((_, placement)) = self.layout.objects.iter_mut().find(|(n, _)| n == name) else { return };
         let said = changed(placement, place);
@@ -106,19 +106,19 @@ impl Edits {
         };
         if !thing.place.as_ref().is_some_and(stays) {
             let say =
-                format!("`{}`, a part of the building, was moved; rooms are judged as they were exported", thing.name);
+                format!("`{}`, a part of the building, was moved; rooms are checked as they were exported", thing.name);
             self.say(say);
         }
     }
 }
 
 /// What differs of the things of two layouts, in the words in which changes of a scene are reported: "`desk` was moved by …".
-/// Of a thing that only the second one has, that it was put in.
+/// Of a thing that only the second one has, that it was added.
 pub fn differences(before: &Layout, after: &Layout) -> Vec<String> {
     let mut out = Vec::new();
     for (name, now) in &after.objects {
         let Some(mut was) = before.object(name).cloned() else {
-            out.push(format!("`{name}` was put in"));
+            out.push(format!("`{name}` was added"));
             continue;
         };
         let (axes, scale) = (rotation::matrix(now.rot), now.scale.component_div(&was.scale));

@@ -61,7 +61,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
 /// The first file of a package, which is its layer.
 #[cfg(target_family = "wasm")]
 fn unpacked(name: &str, _: &[u8]) -> Result<Vec<u8>, Box<Diagnostic>> {
-    Err(nothing(format!("{name} is a package, which is not read in a browser")))
+    Err(nothing(format!("{name} is a USD package, which cannot be read in a browser")))
 }
 
 /// The first file of a package, which is its layer.
@@ -76,10 +76,7 @@ fn unpacked(name: &str, bytes: &[u8]) -> Result<Vec<u8>, Box<Diagnostic>> {
     let mut out = Vec::new();
     file.take(MOST + 1).read_to_end(&mut out).map_err(|e| broken(&e))?;
     if out.len() as u64 > MOST {
-        return Err(nothing(format!(
-            "the layer in {name} is larger than {} MiB, the largest that is read",
-            MOST >> 20
-        )));
+        return Err(nothing(format!("the layer in {name} is larger than the maximum of {} MiB", MOST >> 20)));
     }
     Ok(out)
 }

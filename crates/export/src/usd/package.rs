@@ -13,7 +13,7 @@ const ALIGNMENT: u16 = 64;
 /// # Errors
 /// A file has more than 4 GB.
 pub(super) fn of(files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, ExportError> {
-    let fail = |e: &dyn std::fmt::Display| ExportError::Format("usdz", format!("the package cannot be made: {e}"));
+    let fail = |e: &dyn std::fmt::Display| ExportError::Format("usdz", format!("the package cannot be written: {e}"));
     // Always the same time, so that the same scene gives the same bytes.
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)

@@ -87,7 +87,7 @@ fn layouts_differ_in_the_words_of_edits() {
     fewer.objects.retain(|(name, _)| name != "balloon");
     assert_eq!(
         embedded::differences(&fewer, &after),
-        ["`table` was moved by +0.250 m along x", "`balloon` was put in", "`picture` was turned by 90.0°"]
+        ["`table` was moved by +0.250 m along x", "`balloon` was added", "`picture` was turned by 90.0°"]
     );
     // What only the first one has is no difference of things that both have.
     assert_eq!(embedded::differences(&before, &fewer), Vec::<String>::new());
@@ -165,7 +165,7 @@ fn each_change_is_reported_by_name() {
     assert!(now.object("table").is_some());
 
     let (said, now) = after(|d| d["scenes"][0]["nodes"].as_array_mut().unwrap().retain(|i| i != 0));
-    assert_eq!(said, ["`table` was removed from the scene or switched off"]);
+    assert_eq!(said, ["`table` was removed from the scene or deactivated"]);
     assert!(now.object("table").is_none());
 
     let (said, _) = after(|d| {
@@ -176,7 +176,7 @@ fn each_change_is_reported_by_name() {
         let last = nodes.len() - 1;
         d["scenes"][0]["nodes"].as_array_mut().unwrap().push(json!(last));
     });
-    assert_eq!(said, ["`balloon` was copied as `balloon.001`; the copy is not judged"]);
+    assert_eq!(said, ["`balloon` was copied as `balloon.001`; the copy is not checked"]);
 
     let (said, _) = after(|d| {
         let nodes = d["nodes"].as_array_mut().unwrap();
@@ -184,7 +184,7 @@ fn each_change_is_reported_by_name() {
         let last = nodes.len() - 1;
         d["scenes"][0]["nodes"].as_array_mut().unwrap().push(json!(last));
     });
-    assert_eq!(said, ["`Suzanne` was added; it is not in the program, so it is not judged"]);
+    assert_eq!(said, ["`Suzanne` was added; it is not in the program, so it is not checked"]);
 
     let (said, now) = after(|d| node(d, "crate")["scale"] = json!([2, 2, 2]));
     assert_eq!(said, ["`crate` was scaled by 2.000 × 2.000 × 2.000"]);
@@ -193,14 +193,14 @@ fn each_change_is_reported_by_name() {
     let (_, now) = after(|d| node(d, "crate")["scale"] = json!([2, 1, 1]));
     assert!(now.object("crate").unwrap().parts.is_empty());
     let (said, _) = after(|d| node(d, "crate")["scale"] = json!([-1, 1, 1]));
-    assert_eq!(said, ["`crate` was sheared or mirrored; it is judged as it was exported"]);
+    assert_eq!(said, ["`crate` was sheared or mirrored; it is checked as it was exported"]);
 
     let (said, now) = after(|d| {
         // Below the table, which stands at the origin.
         node(d, "table")["children"] = json!([1]);
         d["scenes"][0]["nodes"].as_array_mut().unwrap().retain(|i| i != 1);
     });
-    assert_eq!(said, ["`chair[0]` was moved under `table`; it is judged where it stands"]);
+    assert_eq!(said, ["`chair[0]` was made a child of `table`; it is checked at its current position"]);
     assert_eq!(now, parts().layout);
 
     let (said, _) = after(|d| {

@@ -39,14 +39,14 @@ fn each_edit_is_reported_by_name() {
     for name in BOTH {
         assert_eq!(after(|s| s.rename(name, "Big one")).0, format!("`{name}` was renamed to `Big one` in the scene"));
         let (said, now) = after(|s| s.switch_off(name));
-        assert_eq!(said, format!("`{name}` was removed from the scene or switched off"));
+        assert_eq!(said, format!("`{name}` was removed from the scene or deactivated"));
         assert!(now.object(name).is_none());
         let (said, now) = after(|s| s.scale(name, [1.0, 2.0, 1.0]));
         assert_eq!(said, format!("`{name}` was scaled by 1.000 × 2.000 × 1.000"));
         assert!((now.object(name).unwrap().scale.y - 2.0 * parts().layout.object(name).unwrap().scale.y).abs() < 1e-6);
         assert_eq!(
             after(|s| s.scale(name, [-1.0, 1.0, 1.0])).0,
-            format!("`{name}` was sheared or mirrored; it is judged as it was exported")
+            format!("`{name}` was sheared or mirrored; it is checked as it was exported")
         );
         let (said, now) = after(|s| s.put(name, [0.25, 0.0, -1.5], UPRIGHT));
         assert!(said.starts_with(&format!("`{name}` was moved by ")) && !said.contains("; "), "{said}");
@@ -59,35 +59,38 @@ fn each_edit_is_reported_by_name() {
 #[test]
 fn an_instance_is_taken_away_copied_and_put_below_others() {
     let (said, now) = after(|s| s.delete("chair[1]"));
-    assert_eq!(said, "`chair[1]` was removed from the scene or switched off");
+    assert_eq!(said, "`chair[1]` was removed from the scene or deactivated");
     assert!(now.object("chair[1]").is_none() && now.object("chair[0]").is_some());
     assert_eq!(
         after(|s| s.duplicate("chair[0]", "chair[0] (1)")).0,
-        "`chair[0]` was copied as `chair[0] (1)`; the copy is not judged"
+        "`chair[0]` was copied as `chair[0] (1)`; the copy is not checked"
     );
     // The table stands at the origin, and so does the group of the objects.
     for father in ["table", "Building"] {
         let (said, now) = after(|s| s.reparent("chair[0]", Some(father)));
-        assert_eq!(said, format!("`chair[0]` was moved under `{father}`; it is judged where it stands"));
+        assert_eq!(said, format!("`chair[0]` was made a child of `{father}`; it is checked at its current position"));
         assert_eq!(now, parts().layout);
     }
     assert_eq!(
         after(|s| s.reparent("chair[0]", None)).0,
-        "`chair[0]` was moved under `the scene`; it is judged where it stands"
+        "`chair[0]` was made a child of `the scene`; it is checked at its current position"
     );
     // Below another instance it stands where that one has brought it.
     let (said, now) = after(|s| {
         s.put("chair[0]", [1.0, 0.0, 0.0], UPRIGHT);
         s.reparent("chair[1]", Some("chair[0]"));
     });
-    assert!(said.contains("`chair[1]` was moved under `chair[0]`; it is judged where it stands"), "{said}");
+    assert!(
+        said.contains("`chair[1]` was made a child of `chair[0]`; it is checked at its current position"),
+        "{said}"
+    );
     let before = parts().layout.object("chair[1]").unwrap().pos;
     assert!((now.object("chair[1]").unwrap().pos - before - Vec3::x()).norm() < 1e-5);
     let (said, now) = after(|s| {
         s.put("chair[1]", [1.0, 0.0, 0.0], UPRIGHT);
         s.reparent("table", Some("chair[1]"));
     });
-    assert!(said.contains("`table` was moved under `chair[1]`"), "{said}");
+    assert!(said.contains("`table` was made a child of `chair[1]`"), "{said}");
     assert!((now.object("table").unwrap().pos - Vec3::x()).norm() < 1e-5);
 }
 
@@ -109,7 +112,7 @@ fn an_instance_without_its_script_is_known_by_its_name() {
             listed(s, "chair[1]", "m_RemovedGameObjects", &format!("{{fileID: {root}, guid: {guid}, type: 3}}"))
         });
     });
-    assert_eq!(said, "`chair[1]` was removed from the scene or switched off");
+    assert_eq!(said, "`chair[1]` was removed from the scene or deactivated");
 }
 
 #[test]
@@ -157,7 +160,7 @@ const LAMP: &str = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!1 &10\nGam
 
 #[test]
 fn a_prefab_that_was_put_there_is_no_object_of_the_program() {
-    let added = |name: &str| format!("`{name}` was added; it is not in the program, so it is not judged");
+    let added = |name: &str| format!("`{name}` was added; it is not in the program, so it is not checked");
     let (said, now) = after_all(|project| {
         project.prefab("Lamp", GUID, LAMP);
         project.edit(|s| put_in(s, GUID, "Objects", ""));
@@ -191,7 +194,7 @@ fn a_prefab_that_was_put_there_is_no_object_of_the_program() {
         project.edit(|s| put_in(s, &guid, "Objects", ""));
     });
     assert!(
-        said.starts_with("`chair-") && said.ends_with("` was added; it is not in the program, so it is not judged"),
+        said.starts_with("`chair-") && said.ends_with("` was added; it is not in the program, so it is not checked"),
         "{said}"
     );
 }
@@ -251,7 +254,7 @@ fn prefabs_that_make_no_sense_are_survived() {
         }
         project.edit(|s| put_in(s, &guid(0), "Objects", ""));
     });
-    assert_eq!(said, "`an instance of a prefab` was added; it is not in the program, so it is not judged");
+    assert_eq!(said, "`an instance of a prefab` was added; it is not in the program, so it is not checked");
     for broken in ["", "--- !u!1001 &1\n", "--- !u!4 &11\nTransform:\n  m_Father: {fileID: 11}\n", "\u{0}\u{1}"] {
         let (said, _) = after_all(|project| {
             project.prefab("Lamp", GUID, broken);

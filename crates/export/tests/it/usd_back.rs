@@ -133,13 +133,13 @@ fn each_change_is_reported_by_name() {
     assert_eq!(changed("chair_0", "\"chair_0\" (", "\"chair\" ("), "`chair[0]` was renamed to `chair` in the scene");
     assert_eq!(
         changed("table", "kind = \"component\"", "active = false"),
-        "`table` was removed from the scene or switched off"
+        "`table` was removed from the scene or deactivated"
     );
     let order = "[\"xformOp:translate\", \"xformOp:orient\"]";
     let scaled = "[\"xformOp:translate\", \"xformOp:orient\", \"xformOp:scale\"]\n float3 xformOp:scale = (1, 2, 1)";
     assert_eq!(changed("table", order, scaled), "`table` was scaled by 1.000 × 2.000 × 1.000");
     let mirrored = scaled.replace("(1, 2, 1)", "(-1, 1, 1)");
-    assert_eq!(changed("table", order, &mirrored), "`table` was sheared or mirrored; it is judged as it was exported");
+    assert_eq!(changed("table", order, &mirrored), "`table` was sheared or mirrored; it is checked as it was exported");
     // Another program's way to say the same turn, and a matrix.
     let turned = "[\"xformOp:translate\", \"xformOp:rotateXYZ\"]\n float3 xformOp:rotateXYZ = (0, -90, 0)";
     assert_eq!(changed("table", order, turned), "`table` was turned by 90.0°");
@@ -148,7 +148,7 @@ fn each_change_is_reported_by_name() {
     let added = "def Mesh \"Suzanne\"\n{\n}\n\ndef Xform \"table\" (";
     assert_eq!(
         changed("table", "def Xform \"table\" (", added),
-        "`Suzanne` was added; it is not in the program, so it is not judged"
+        "`Suzanne` was added; it is not in the program, so it is not checked"
     );
     let group = "def Xform \"table\" (";
     let within = "def Xform \"group\" {\n double3 xformOp:translate = (0, 0, 2)\n uniform token[] xformOpOrder = [\"xformOp:translate\"]\n }\n def Xform \"table\" (";
@@ -168,14 +168,17 @@ fn a_copy_is_named_and_what_is_below_another_thing_is_judged_where_it_stands() {
     let balloon = &text[at..end];
     let copy = balloon.replace("\"balloon\" (", "\"balloon_1\" (");
     fs::write(written.path("room.usda"), format!("{}{copy}{}", &text[..end], &text[end..])).unwrap();
-    assert_eq!(said(&written.read("room.usda")), ["`balloon` was copied as `balloon_1`; the copy is not judged"]);
+    assert_eq!(said(&written.read("room.usda")), ["`balloon` was copied as `balloon_1`; the copy is not checked"]);
     let group = format!(
         "        def Xform \"group\"\n        {{\n            double3 xformOp:translate = (0, 1, 0)\n            uniform token[] xformOpOrder = [\"xformOp:translate\"]\n{balloon}        }}\n"
     );
     fs::write(written.path("room.usda"), format!("{}{group}{}", &text[..at], &text[end..])).unwrap();
     let found = written.read("room.usda");
     let words = said(&found);
-    assert!(words.contains(&"`balloon` was moved under `group`; it is judged where it stands"), "{words:?}");
+    assert!(
+        words.contains(&"`balloon` was made a child of `group`; it is checked at its current position"),
+        "{words:?}"
+    );
     assert!(words.contains(&"`balloon` was moved by +1.000 m along y"), "{words:?}");
 }
 

@@ -91,7 +91,7 @@ fn the_place_and_what_was_expected_are_said() {
     let case = |code: &str, say: &str, line: &str| (code.to_owned(), say.to_owned(), line.to_owned());
     assert_eq!(
         said(&|v| v["rooms"][0]["floorPolygon"][1]["x"] = json!("wide")),
-        case("E0504", "`rooms[0].floorPolygon[1].x` is a string; a number was expected", "\"x\": \"wide\",")
+        case("E0504", "`rooms[0].floorPolygon[1].x` is a string, expected a number", "\"x\": \"wide\",")
     );
     assert_eq!(
         said(&|v| drop(v["objects"][0].as_object_mut().unwrap().remove("position"))),
@@ -101,7 +101,7 @@ fn the_place_and_what_was_expected_are_said() {
         said(&|v| v["objects"][0]["position"]["y"] = json!(1e9)),
         case(
             "E0505",
-            "`objects[0].position.y` is 1000000000; 100000 is the largest that can be",
+            "`objects[0].position.y` is 1000000000; the largest absolute value is 100000",
             "\"y\": 1000000000.0,"
         )
     );

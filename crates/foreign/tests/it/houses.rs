@@ -91,7 +91,7 @@ fn houses_without_sizes_have_usual_ones_and_are_judged_all_the_same() {
         let house = House::new(seed, 2);
         let scene = taken(&house.procthor(false), &Beside::default());
         let said: Vec<&str> = scene.notes.iter().map(|note| note.message.as_str()).collect();
-        assert!(said[0].starts_with("the file does not say the size of"), "{said:?}");
+        assert!(said[0].starts_with("the file does not give the size of"), "{said:?}");
         assert!(said.iter().any(|say| say.contains("proceduralParameters")), "{said:?}");
         let checked = judged(&scene);
         assert!(checked.program.is_some() && checked.layout.is_some(), "{:?}", checked.verdict.diagnostics);
@@ -156,7 +156,7 @@ fn scene_states() {
         // Nobody says what the things are: then they are not there, and that is said.
         let bare = taken(&value, &Beside::default());
         assert_eq!(layout(&bare).objects.len(), house.openings.len());
-        assert!(bare.notes.iter().any(|note| note.message.contains("left out, since the size is not known")));
+        assert!(bare.notes.iter().any(|note| note.message.contains("size is unknown: ")));
     }
 }
 

@@ -426,7 +426,7 @@ impl Scope<'_> {
                 let of = self.a_thing(&format!("{path}.part.of"), &part.of)?;
                 // Parts are of what was named before, so that no part is of a part of itself.
                 if of >= own {
-                    return Err(format!("{path}.part.of: \"{}\" must stand before its part", part.of));
+                    return Err(format!("{path}.part.of: \"{}\" must come before its part", part.of));
                 }
                 Some(Part { of, pick: part.pick })
             }

@@ -192,7 +192,7 @@ fn limited(brief: &Brief, draft: &Draft) -> Vec<Note> {
     for (room, made) in brief.rooms.iter().zip(&draft.rooms) {
         for (said, is) in room.size.iter().zip(made.size) {
             let said = said.filter(|said| (said - is).abs() > 0.001);
-            let reason = said.map(|said| format!("rooms are not that size: {said} m is read as {is} m"));
+            let reason = said.map(|said| format!("a room cannot have this size: {said} m is read as {is} m"));
             out.extend(reason.map(|reason| Note { at: room.source.at(), reason }));
         }
     }

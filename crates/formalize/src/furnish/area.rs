@@ -47,7 +47,7 @@ fn room_is_overfull(draft: &Draft, at: usize) -> Option<String> {
     let said: Vec<String> = said.chain((counted.len() > NAMED).then(|| "…".to_owned())).collect();
     let has = if room.sized { "has" } else { "can have at most" };
     Some(format!(
-        "the floor of `{}` {has} {most:.1} m², and the objects to stand on it need {needed:.1} m² ({})",
+        "the floor of `{}` {has} {most:.1} m², but the objects that stand on it need {needed:.1} m² ({})",
         room.name,
         said.join(", ")
     ))

@@ -145,12 +145,12 @@ pub(super) fn settle(draft: &mut Draft, told: &mut Vec<String>) {
         let named: Vec<&str> = texts.iter().flat_map(|text| words(text)).collect();
         let large = draft.things.iter_mut().find(|thing| thing.size.is_some() && named.contains(&thing.name.as_str()));
         let Some(thing) = large else {
-            told.push(format!("these cannot hold together: {}", texts.join("; ")));
+            told.push(format!("these cannot all hold: {}", texts.join("; ")));
             return;
         };
         thing.size = None;
         told.push(format!(
-            "the size of {} is left out, because with it these cannot hold together: {}",
+            "the size of {} is left out, because with it these cannot all hold: {}",
             thing.name,
             texts.join("; ")
         ));

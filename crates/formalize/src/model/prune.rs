@@ -96,7 +96,7 @@ fn by_model(
     }
     gone.sort_by_key(|(at, _)| std::cmp::Reverse(*at));
     for (at, reason) in &gone {
-        let why = format!("the model removes it as {}: {}", prompt.step, plain(reason, 120));
+        let why = format!("the model removed it as {}: {}", prompt.step, plain(reason, 120));
         take_out(draft, own, *at, &why, prompt.step == REDUNDANT.step);
     }
     Ok(!gone.is_empty())

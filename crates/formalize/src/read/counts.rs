@@ -51,7 +51,7 @@ pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
             && n * metres < THIN
         {
             let at = token.at.start..tokens[i + 2].at.end;
-            out.push((at, format!("too thin: it is made at least {THIN} m, or its usual size")));
+            out.push((at, format!("too thin: the size is increased to at least {THIN} m, or to the usual size")));
         }
         let thing = |k: usize| tokens.get(k).is_some_and(|t| t.word() && get().noun(&t.text).is_some());
         let whole = tokens.get(i + 1).is_some_and(|t| t.is("a") || t.is("an"));

@@ -157,7 +157,7 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let people = brief.rooms.iter().find_map(|room| room.people);
     let people = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none()));
     if let (Extent::Literal, Some(people)) = (extent, people) {
-        let reason = format!("for {people} people: without added objects no statement expresses this");
+        let reason = format!("for {people} people: no statement can express this without added objects");
         draft.notes.push(Note { at: people::phrase(&brief.request), reason });
     }
     if extent == Extent::Usual {

@@ -339,11 +339,11 @@ pub fn fewer(chunks: &[Chunk], tokens: &[Token], rooms: &[Room]) -> Vec<(Range<u
         if wanted > laid_out.max(1) {
             let at = tokens[chunk.at.start].at.start..tokens[chunk.at.end - 1].at.end;
             let done = match laid_out {
-                0 => "none is".to_owned(),
-                1 => "only one is".to_owned(),
-                n => format!("only {n} are"),
+                0 => "none was".to_owned(),
+                1 => "only one was".to_owned(),
+                n => format!("only {n} were"),
             };
-            out.push((at, format!("{wanted} such rooms are requested, but only {done} laid out; name each of them")));
+            out.push((at, format!("{wanted} such rooms are requested, but {done} placed; name each of them")));
         }
     }
     out

@@ -107,7 +107,11 @@ pub(super) fn array(
         Detail::Titles => Vec::new(),
         Detail::Edits => array_edits(snapshot, &stem, &members)?,
     };
-    out.push(Action::new(format!("Make `{stem}[{}]` of these objects", members.len()), Kind::Rewrite, edits));
+    out.push(Action::new(
+        format!("Combine these objects into the array `{stem}[{}]`", members.len()),
+        Kind::Rewrite,
+        edits,
+    ));
     Ok(())
 }
 
@@ -189,7 +193,7 @@ pub(super) fn pin(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>) 
     }
     if !new.is_empty() {
         let edit = Edit { place: TextRange::empty(at).in_file(snapshot.main()), text: new };
-        out.push(Action::new(format!("Pin `{item}` at its current place"), Kind::Rewrite, vec![edit]));
+        out.push(Action::new(format!("Pin `{item}` at its current position"), Kind::Rewrite, vec![edit]));
     }
     Ok(())
 }

@@ -29,7 +29,7 @@ fn fixes_and_changes_of_form() {
         ("assert l$0ow(lamp, 1 + 1);", "Inline predicate `low`", "assert (lamp.top < (1 + 1));"),
         (
             "object c$0up1;\nobject cup2;\nassert cup1.top > cup2.top;",
-            "Make `cup[2]` of these objects",
+            "Combine these objects into the array `cup[2]`",
             "object cup[2];\nassert cup[0].top > cup[1].top;",
         ),
     ] {

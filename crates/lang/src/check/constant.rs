@@ -128,7 +128,7 @@ fn call(name: &str, args: &[Constant]) -> Result<Option<Constant>, NoValue> {
             Some(xs) => N(xs.into_iter().fold(f64::NEG_INFINITY, f64::max)),
             None => return Ok(None),
         },
-        ("sqrt", [N(x)]) if *x < 0.0 => return Err(no(codes::E0602, format!("{x} has no square root"))),
+        ("sqrt", [N(x)]) if *x < 0.0 => return Err(no(codes::E0602, format!("{x} has no real square root"))),
         ("sqrt", [N(x)]) => N(x.sqrt()),
         ("sin", [N(x)]) => N(x.to_radians().sin()),
         ("cos", [N(x)]) => N(x.to_radians().cos()),
@@ -142,7 +142,7 @@ fn call(name: &str, args: &[Constant]) -> Result<Option<Constant>, NoValue> {
             V(v.map(|x| x / length))
         }
         ("angle", [V(a), V(b)]) if dot(*a, *a) == 0.0 || dot(*b, *b) == 0.0 => {
-            return Err(no(codes::E0606, "the zero vector has no direction, hence no angle"));
+            return Err(no(codes::E0606, "the zero vector has no direction, so it forms no angle"));
         }
         ("rand", [N(lo), N(hi)]) if lo > hi => {
             return Err(no(codes::E0603, format!("`rand` draws from lo to hi, but {lo} is greater than {hi}")));

@@ -165,7 +165,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
     }
     match (owner, path.as_slice()) {
         (Ty::Object | Ty::Region, []) => {
-            let message = format!("{owner} cannot be assigned, only its properties");
+            let message = format!("{owner} cannot be assigned; only its properties can");
             checker.error(codes::E0211, *target, message);
             checker.ty(*value);
         }

@@ -50,7 +50,7 @@ pub fn check(names: &dyn Names, stmt: &Stmt, scopes: &Scopes<'_>, out: Out<'_>) 
             }
             ExprKind::Binary(BinaryOp::Implies, _, left, right) => look.implication(*left, *right, out),
             ExprKind::Quantified(Quantifier::Forall, _, _, body) if stmt.expr(*body).kind == ExprKind::Bool(true) => {
-                finding(out, stmt.expr(*body).range, "`true` says nothing about what the quantifier ranges over");
+                finding(out, stmt.expr(*body).range, "`true` does not depend on the variable of the quantifier");
             }
             _ => {}
         }
@@ -138,9 +138,9 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
             }
             match seen.get(&self.hashes[id.0 as usize]) {
                 Some(first) if self.same(*first, *id) => {
-                    finding(out, expr.range, "this condition is given twice")
+                    finding(out, expr.range, "this condition occurs twice")
                         .related
-                        .push(here(self.stmt.expr(*first).range, "given here first"));
+                        .push(here(self.stmt.expr(*first).range, "it first occurs here"));
                 }
                 Some(_) => {}
                 None => {

@@ -30,7 +30,7 @@ pub fn declared(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             };
             let message = format!("`{}` shadows the {} of the same name", name.text, facts.what(&name.text));
             let d = Diagnostic::new(codes::W0203, at, message).related(hidden, "declared here");
-            out.push(d.note("give one of them another name; the outer one cannot be used inside"));
+            out.push(d.note("give one of them another name; the outer one cannot be used here"));
         }
     }
 }

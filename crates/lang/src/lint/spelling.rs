@@ -157,7 +157,7 @@ fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
         if let (true, Some(at), Some(before)) = (fits, b.place, a.place) {
             let message = format!("`{}` and `{}` are nearly identical", b.whole, a.whole);
             let d = Diagnostic::new(codes::W0204, at, message).related(before, "the other one");
-            out.push(d.note("if both are intended, choose names that are easier to tell apart"));
+            out.push(d.note("if both are intentional, choose names that are easier to tell apart"));
         }
     }
 }

@@ -298,7 +298,7 @@ impl<'a> Lowerer<'a, '_> {
             let span = self.program.draws[draw.0 as usize].span;
             let message = format!("`{property}` must be known before anything is drawn, so `oneOf` cannot choose it");
             let d = Diagnostic::new(codes::E0306, span, message)
-                .note("`oneOf` can choose colours, materials, numbers, vectors such as sizes, and rotations");
+                .note("`oneOf` can choose colors, materials, numbers, vectors (such as sizes) and rotations");
             if !self.out.contains(&d) {
                 self.out.push(d);
             }

@@ -73,7 +73,9 @@ impl Http {
             match receive.recv_timeout(LOOK) {
                 Ok(got) => break got,
                 Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => break Err(Error::Unreachable("the request broke off".into())),
+                Err(RecvTimeoutError::Disconnected) => {
+                    break Err(Error::Unreachable("the connection was closed during the request".into()));
+                }
             }
         };
         let Some(key) = key else { return got };

@@ -101,7 +101,7 @@ impl Target {
         let setup = |why: String| Err(Error::Setup(why));
         let known = || PROVIDERS.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
         let Some((provider, model)) = text.split_once(':') else {
-            return setup(format!("a model is written PROVIDER:NAME; the providers are {}", known()));
+            return setup(format!("a model is given as PROVIDER:NAME; the providers are {}", known()));
         };
         let Some(provider) = PROVIDERS.iter().find(|p| p.name == provider) else {
             return setup(format!("there is no provider `{provider}`; valid names: {}", known()));

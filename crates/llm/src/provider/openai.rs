@@ -71,7 +71,7 @@ pub(super) fn read(body: &[u8]) -> Answer {
     let choice = got.choices.into_iter().next().ok_or_else(|| Error::Malformed("it has no choices".into()))?;
     match choice.finish_reason.as_deref() {
         Some("length") => return Err(Error::CutShort),
-        Some("content_filter") => return Err(Error::Declined("a filter stopped it".into())),
+        Some("content_filter") => return Err(Error::Declined("a content filter stopped the answer".into())),
         _ => {}
     }
     if let Some(refusal) = choice.message.refusal.filter(|r| !r.is_empty()) {

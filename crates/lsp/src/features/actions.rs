@@ -215,7 +215,7 @@ struct Chosen {
 fn completed(context: &Context, mut action: Value, chosen: &Chosen) -> Result<Value, Fault> {
     let all = actions::actions(&context.snapshot, context.bytes(chosen.range), Detail::Edits)?;
     let found = all.iter().find(|a| a.title == chosen.title);
-    let found = found.ok_or_else(|| Fault::Failed(format!("\"{}\" is no longer possible there", chosen.title)))?;
+    let found = found.ok_or_else(|| Fault::Failed(format!("\"{}\" is no longer possible", chosen.title)))?;
     action["edit"] = context.places().workspace_edit(&found.edits, context.edit_versions());
     Ok(action)
 }

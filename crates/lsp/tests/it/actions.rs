@@ -75,7 +75,7 @@ fn fixes_and_changes_of_form() {
         (
             "object cup1;\nobject cup2;\nassert cup1.top > cup2.top;",
             "object c|up1",
-            "Make `cup[2]` of these objects",
+            "Combine these objects into the array `cup[2]`",
             "object cup[2];\nassert cup[0].top > cup[1].top;",
         ),
     ] {
@@ -86,7 +86,7 @@ fn fixes_and_changes_of_form() {
     }
     // The place in the layout as assignments.
     client.set(&uri, &scene);
-    let pinned = client.made(&uri, &scene, "object |bed", "Pin `bed` at its current place");
+    let pinned = client.made(&uri, &scene, "object |bed", "Pin `bed` at its current position");
     assert!(pinned.contains("object bed;\nbed.pos <- vec3(0, 0, -0.9);\nbed.rot <- rot(0, 0, 0);\n"), "{pinned}");
     client.set(&uri, &pinned);
     let again = client.offered(&uri, &pinned, "object |bed", None);
@@ -230,7 +230,7 @@ fn long_edits_are_worked_out_when_they_are_chosen() {
     let (folder, scene, _) = room();
     let text = format!("{scene}object cup1;\nobject cup2;\nassert cup1.top > cup2.top;\n");
     let wanted = format!("{scene}object cup[2];\nassert cup[0].top > cup[1].top;\n");
-    let title = "Make `cup[2]` of these objects";
+    let title = "Combine these objects into the array `cup[2]`";
     let mut cannot = crate::client::usual();
     cannot["textDocument"]["codeAction"] = json!({});
     for (can, at_once) in [(crate::client::usual(), false), (cannot, true)] {
@@ -246,7 +246,7 @@ fn long_edits_are_worked_out_when_they_are_chosen() {
             // Of another text it is the edit for that, or none.
             client.set(&uri, &format!("// cups\n{scene}"));
             let (_, late) = client.refused("codeAction/resolve", action);
-            assert!(late.contains("is no longer possible there"), "{late}");
+            assert!(late.contains("is no longer possible"), "{late}");
             client.set(&uri, &text);
             action = whole;
         }

@@ -138,7 +138,7 @@ fn traces_are_as_the_client_wants_them() {
         said("received notification 'textDocument/didOpen'", "A bed");
         said(&format!("received request 'textDocument/hover - ({id})'"), "position");
         said(&answered, "Where one sleeps");
-        said(&format!("judged {uri}: 9 of 12 hold"), "generation");
+        said(&format!("checked {uri}: 9 of 12 hold"), "generation");
         assert_eq!(client.exit(), 0);
     }
 }

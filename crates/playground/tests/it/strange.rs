@@ -19,7 +19,7 @@ fn what_is_no_request_is_refused() {
         b"{\"method\": \"export\", \"format\": \"unity\"}",
     ] {
         let why = raw(&mut session, request).unwrap_err();
-        assert!(why.starts_with("this is no request"), "{why}");
+        assert!(why.starts_with("this is not a valid request"), "{why}");
     }
 }
 

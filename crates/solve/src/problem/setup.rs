@@ -147,7 +147,7 @@ fn outline(program: &Program, layout: &mut Layout, options: &Options, warnings: 
                     Err(why) => {
                         let name = &program.regions[id.0 as usize].name;
                         warnings
-                            .push(format!("`{name}` cannot have this outline and is laid out as a rectangle: {why}"));
+                            .push(format!("`{name}` cannot have this outline and is treated as a rectangle: {why}"));
                     }
                 }
             }

@@ -139,9 +139,9 @@ impl Told<'_> {
             }));
         }
         parts.extend(
-            a.drops.iter().map(|i| {
-                format!("give up the preference {} `{}`", self.statement(*i), self.program.constraints[*i].text)
-            }),
+            a.drops
+                .iter()
+                .map(|i| format!("drop the preference {} `{}`", self.statement(*i), self.program.constraints[*i].text)),
         );
         parts.join("; ")
     }
@@ -161,7 +161,7 @@ pub fn title(program: &Program, sources: &SourceMap, a: &Alternative) -> String 
     } else {
         parts.extend((0..a.edits.len()).map(|i| edit_in_words(program, sources, a, i)));
     }
-    parts.extend(a.drops.iter().map(|i| format!("give up the preference `{}`", program.constraints[*i].text)));
+    parts.extend(a.drops.iter().map(|i| format!("drop the preference `{}`", program.constraints[*i].text)));
     parts.join("; ")
 }
 
@@ -183,7 +183,7 @@ fn edit_in_words(program: &Program, sources: &SourceMap, a: &Alternative, i: usi
     let Edit { place, text } = &a.edits[i];
     match a.shown.get(i) {
         Some(shown) => number_in_words(program, *place, shown),
-        None => format!("write `{text}` for `{}`", sources.text(*place)),
+        None => format!("write `{text}` instead of `{}`", sources.text(*place)),
     }
 }
 
@@ -194,7 +194,7 @@ pub const PREFER: &str = "make the assertion a preference: `prefer` instead of `
 fn demoted(count: usize) -> String {
     match count {
         0 | 1 => PREFER.to_owned(),
-        n => format!("make {n} assertions preferences: `prefer` instead of `assert`"),
+        n => format!("turn {n} assertions into preferences: `prefer` instead of `assert`"),
     }
 }
 

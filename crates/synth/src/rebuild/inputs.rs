@@ -78,10 +78,10 @@ impl Look {
             ("version of the library", &before.library, &self.library),
         ];
         for (what, old, new) in texts.into_iter().filter(|(_, old, new)| old != new) {
-            out.push(format!("{what} was \"{old}\", is \"{new}\""));
+            out.push(format!("{what} has changed from \"{old}\" to \"{new}\""));
         }
         if before.size != self.size {
-            out.push(format!("size was {}, is {}", metres(before.size), metres(self.size)));
+            out.push(format!("size has changed from {} to {}", metres(before.size), metres(self.size)));
         }
         if out.is_empty() && before.shape != self.shape {
             out.push("it has another shape".to_owned());
@@ -309,7 +309,10 @@ mod tests {
     fn a_look_says_what_differs() {
         let old = Look { color: "oak".into(), size: [1.0, 2.0, 0.5], ..Look::default() };
         let new = Look { color: "red".into(), size: [1.0, 2.0, 1.5], ..Look::default() };
-        assert_eq!(new.changes(&old), ["color was \"oak\", is \"red\"", "size was 1 × 2 × 0.5 m, is 1 × 2 × 1.5 m"]);
+        assert_eq!(
+            new.changes(&old),
+            ["color has changed from \"oak\" to \"red\"", "size has changed from 1 × 2 × 0.5 m to 1 × 2 × 1.5 m"]
+        );
         assert!(new.changes(&new).is_empty() && !new.asks_the_same(&old));
     }
 }

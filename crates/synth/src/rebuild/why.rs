@@ -49,11 +49,11 @@ pub fn of_layout(before: &Inputs, now: &Inputs) -> Vec<String> {
             ("seed" | "effort" | "quality", _) => {
                 let old = before.get(key).map_or("", String::as_str);
                 let new = now.get(key).map_or("", String::as_str);
-                format!("--{kind} was {old}, is {new}")
+                format!("--{kind} has changed from {old} to {new}")
             }
             ("time", _) => "--time was given, or no longer is".to_owned(),
             ("model", _) => "a language model is asked, or no longer is".to_owned(),
-            ("scenelang", _) => "another version of scenelang made it".to_owned(),
+            ("scenelang", _) => "it was written by another version of scenelang".to_owned(),
             ("object" | "region" | "variable" | "draw", change) => format!("`{rest}` {}", verb(change)),
             ("statement", change) => format!("`{rest}` {}", verb(change)),
             (_, change) => format!("`{key}` {}", verb(change)),
@@ -77,7 +77,7 @@ pub fn of_format(before: &Inputs, now: &Inputs) -> Vec<String> {
             ("building", _) => "floors, walls or ceilings have changed".to_owned(),
             ("lights", _) => "the lights have changed".to_owned(),
             ("options", _) => "its options have changed".to_owned(),
-            ("scenelang", _) => "another version of scenelang made it".to_owned(),
+            ("scenelang", _) => "it was written by another version of scenelang".to_owned(),
             (what, _) => format!("the text of the {what} has changed"),
         };
         said.push(sentence);
@@ -118,7 +118,7 @@ mod tests {
         let wanted = [
             "`assert b` was added",
             "`lamp` has a different shape or role",
-            "--seed was 0, is 7",
+            "--seed has changed from 0 to 7",
             "`assert a` was removed",
         ];
         assert_eq!(of_layout(&old, &new), wanted);

@@ -80,7 +80,7 @@ fn in_words(call: &Call<'_, f64>, names: &Program, motion: Motion) -> Option<Str
             (_, Motion::Hinge) => "turns",
             (_, Motion::Slide) => "slides",
         };
-        return Some(format!("nothing of `{name}` {what}"));
+        return Some(format!("no part of `{name}` {what}"));
     }
     let joints = opening::joints(call.world, id);
     let free = |part: usize, amount: f64| opening::free(call.world, id, part, amount, &mut { LOOKS }).ok();
@@ -89,7 +89,7 @@ fn in_words(call: &Call<'_, f64>, names: &Program, motion: Motion) -> Option<Str
         let wanted = opening::amount(amount, *motion);
         if amount > limits[1] {
             let most = opening::amount(limits[1], *motion);
-            return Some(format!("`{part_name}` of `{name}` opens {most} at most, not {wanted}"));
+            return Some(format!("`{part_name}` of `{name}` opens at most {most}, not {wanted}"));
         }
         if let Some((far, Some(met))) = free(part, amount) {
             let (far, met) = (opening::amount(far, *motion), opening::met_in_words(names, met));

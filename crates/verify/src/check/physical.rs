@@ -91,14 +91,15 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
     verdict.unlisted.failing += keep_worst(&mut verdict.rows, first);
     let untried = judge_opening(program, world, &rules, verdict);
     if untried > 0 {
-        let say = format!("there are so many obstacles that the opening of {untried} parts was not checked");
+        let parts = if untried == 1 { "part" } else { "parts" };
+        let say = format!("there are too many obstacles: whether {untried} {parts} can open was not checked");
         verdict.diagnostics.push(too_dense(program, say));
     }
     if !near.complete {
-        let say = format!("so many objects overlap that {} of {there} pairs were not checked", there - judged);
+        let say = format!("too many objects overlap: {} of {there} pairs were not checked", there - judged);
         verdict.diagnostics.push(too_dense(program, say));
     } else if unasked > 0 {
-        let say = format!("so many objects are above each other that the support of {unasked} of them was not checked");
+        let say = format!("too many objects are above each other: the support of {unasked} of them was not checked");
         verdict.diagnostics.push(too_dense(program, say));
     }
 }
@@ -265,7 +266,7 @@ impl<'a> Rules<'a> {
         self.ruled(world, (Kind::Collision, Subject::Pair(a, b)), outcome, None, text, || {
             match (world.object(a), world.object(b)) {
                 (Ok(x), Ok(y)) => builtins::gap_in_words(self.name(a), self.name(b), builtins::gap(x, y)),
-                _ => "cannot be judged: the layout lacks an object".to_owned(),
+                _ => "cannot be checked: the layout lacks an object".to_owned(),
             }
         })
     }
@@ -295,7 +296,7 @@ impl<'a> Rules<'a> {
                     "the ceiling"
                 }
             });
-            format!("it is beyond {place} of `{region_name}`, the nearest region, by {far} m more than allowed")
+            format!("it extends beyond {place} of `{region_name}`, the nearest region, by {far} m more than allowed")
         })
     }
 

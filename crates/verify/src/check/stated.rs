@@ -85,7 +85,7 @@ pub fn judge_one(
         Ok(other) => unreachable!("a constraint that is not a truth value: {other:?}"),
         Err(error) => {
             row.objects = objects(constraint, error.node);
-            row.measured = format!("cannot be judged: {}", reason(program, error.cause));
+            row.measured = format!("cannot be checked: {}", reason(program, error.cause));
             (row, Some(error))
         }
     }

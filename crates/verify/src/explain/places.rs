@@ -56,7 +56,7 @@ pub fn facing_in_words(rot: [f64; 3]) -> String {
     let near = |angle: f64, to: f64| (angle - to).abs() < 0.05 || (angle - to).abs() > 359.95;
     if !(near(x, 0.0) && near(z, 0.0)) {
         let [x, y, z] = rot.map(degrees);
-        return format!("turned ({x}, {y}, {z})°");
+        return format!("rotated ({x}, {y}, {z})°");
     }
     let wind = (y / 45.0).round();
     let exact = near(y, wind * 45.0);
@@ -165,7 +165,7 @@ mod tests {
             ([0.0, 359.99, 0.0], "faces north (+z)"),
             ([0.0, 338.0, 0.0], "faces north (turned 338°)"),
             ([0.0, 100.5, 0.0], "faces east (turned 100.5°)"),
-            ([10.0, 0.0, 0.0], "turned (10, 0, 0)°"),
+            ([10.0, 0.0, 0.0], "rotated (10, 0, 0)°"),
         ] {
             assert_eq!(facing_in_words(rot), want, "{rot:?}");
         }

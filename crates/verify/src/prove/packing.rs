@@ -281,7 +281,7 @@ impl Packing {
             let covers: f64 = upright.iter().map(|&i| footprint(state, &group.members[i])).map(|[w, d]| w * d).sum();
             let what = things(upright.len(), None);
             let say = match around {
-                0.0 => format!("{what} cover {} m², but the floor has {} m²", short(covers), short(floor)),
+                0.0 => format!("{what} cover {} m², but the floor has only {} m²", short(covers), short(floor)),
                 _ => format!("{what} that keep {} m between them do not fit on the floor", short(2.0 * around)),
             };
             *self.said.borrow_mut() = Some(say);

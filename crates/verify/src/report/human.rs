@@ -84,7 +84,7 @@ pub(super) fn holding(report: &super::Report, out: &mut String) {
         line(out, format_args!("{more}"));
     }
     for row in report.constraints.iter().filter(|row| row.satisfied != Some(false)) {
-        let verdict = if row.satisfied.is_some() { "holds" } else { "cannot be judged" };
+        let verdict = if row.satisfied.is_some() { "holds" } else { "cannot be checked" };
         let margin = match (row.margin, row.unit.as_deref()) {
             (Some(margin), Some(unit)) => format!(", margin {margin:.4} {unit}"),
             _ => String::new(),

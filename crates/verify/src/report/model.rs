@@ -80,7 +80,7 @@ pub struct JudgedWith {
 impl JudgedWith {
     /// The same in a line.
     pub fn in_words(&self) -> String {
-        plain::line(&format!("judged with {}: {}", self.file, self.changes.join(", "))).into_owned()
+        plain::line(&format!("checked with {}: {}", self.file, self.changes.join(", "))).into_owned()
     }
 }
 

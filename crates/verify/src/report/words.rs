@@ -89,7 +89,7 @@ impl<'a> Words<'a> {
             parts.push(format!("{} of {held} {what} still hold", held - broken));
         }
         if held == 0 && repair.breaks.is_empty() {
-            parts.push("nothing else breaks".to_owned());
+            parts.push("nothing else is violated".to_owned());
         }
         if !repair.breaks.is_empty() {
             parts.push(format!("this violates {}", list(&repair.breaks)));

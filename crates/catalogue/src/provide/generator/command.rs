@@ -67,7 +67,10 @@ impl Maker for Command {
             said
         };
         if bytes.is_empty() {
-            return Err("it made nothing: there was neither a file at the path `out` of the order nor a GLB file on standard output".into());
+            return Err(
+                "it produced no model: there was neither a file at the path `out` nor a GLB file on standard output"
+                    .into(),
+            );
         }
         Ok(bytes)
     }

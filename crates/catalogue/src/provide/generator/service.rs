@@ -150,7 +150,7 @@ fn tripo(said: &Value) -> State {
 fn done(urls: &[&Value]) -> State {
     match urls.iter().find_map(|url| url.as_str()) {
         Some(url) => State::Done(url.to_owned()),
-        None => State::Failed("it is done, but there is no file".to_owned()),
+        None => State::Failed("the service reports that the model is finished, but there is no file".to_owned()),
     }
 }
 
@@ -174,7 +174,7 @@ fn json_of(bytes: &[u8]) -> Result<Value, String> {
 fn told(error: Error) -> String {
     match error {
         Error::Unreachable(why) => format!("the service cannot be reached: {why}"),
-        Error::TimedOut(after) => format!("the service gave no complete answer within {} s", after.as_secs_f64()),
+        Error::TimedOut(after) => format!("the service did not answer completely within {} s", after.as_secs_f64()),
         Error::TooLarge(most) => format!("the file from the service is larger than {} MB", most >> 20),
         Error::Malformed(why) => format!("the service's answer does not have the expected form: {why}"),
         Error::Limited { said, .. } => format!("the service has received too many requests: {said}"),

@@ -109,7 +109,7 @@ fn what_was_moved_is_repaired() {
     assert_eq!(fs::read_to_string(folder.path().join("room.layout.json")).unwrap(), layout(0.5));
     let made = client.done("repair", &json!({ "file": "room.scene", "apply": 1 }));
     assert_eq!((&made["written"], &made["after"]["ok"]), (&json!(["room.layout.json"]), &json!(true)));
-    assert!(client.refused("repair", &json!({ "file": "room.scene", "apply": 9 })).contains("no way number 9"));
+    assert!(client.refused("repair", &json!({ "file": "room.scene", "apply": 9 })).contains("no repair number 9"));
     insta::assert_snapshot!(client.transcript);
 }
 

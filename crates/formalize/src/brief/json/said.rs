@@ -85,7 +85,7 @@ impl WireFact {
         };
         let length = |v: f64| {
             let finite = v.is_finite() && v.abs() <= super::LARGEST;
-            if finite { Ok(v) } else { Err(format!("{path}.says: {v} m is no length")) }
+            if finite { Ok(v) } else { Err(format!("{path}.says: {v} m is not a valid length")) }
         };
         let what = match self.says {
             WireWhat::Relation { relation, to } => What::Rel(relation, things("says.relation.to", to)?),

@@ -193,7 +193,7 @@ pub fn assignment(site: &Site<'_>) -> Option<Finding> {
     let place = site.range(site.at);
     match site.found().filter(|_| assigns(site))? {
         Kind::Eq => {
-            let diagnostic = Diagnostic::new(E0110, place, "`=` compares two values; to assign one write `<-`");
+            let diagnostic = Diagnostic::new(E0110, place, "`=` compares two values; to assign one, write `<-`");
             let assigned = diagnostic.fix(Applicability::Unsafe, "assign: write `<-`", place, "<-");
             Some(assert_it(assigned, site.range(site.head)))
         }
@@ -239,7 +239,7 @@ pub fn no_arrow(site: &Site<'_>) -> Option<Finding> {
     let (head, place) = (site.range(site.head), site.range(site.at));
     let target = super::quote(&site.text[head.cover(site.range(site.at - 1)).bytes()]);
     let Some(next) = site.found() else {
-        let message = format!("{target} alone says nothing: assign it, or assert something about it");
+        let message = format!("{target} alone is not a statement: assign a value to it, or assert something about it");
         return Some(Diagnostic::new(E0110, place, message).label("expected `<-` and a value"));
     };
     use Kind::*;

@@ -42,7 +42,7 @@ pub fn needs_parentheses(site: &Site<'_>) -> Option<Finding> {
     }
     let message = format!("{} after {} needs parentheses", site.quoted(site.at), site.quoted(site.at - 1));
     let diagnostic = Diagnostic::new(E0110, site.range(site.at), message);
-    Some(diagnostic.note("comparisons and calculations bind tighter than `not`, `and`, `or` and quantifiers"))
+    Some(diagnostic.note("comparisons and calculations bind more tightly than `not`, `and`, `or` and quantifiers"))
 }
 
 /// `> =` for `>=`.

@@ -37,7 +37,7 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
     let (before, after) = (site.kind(site.at - 1), site.kind(site.at + 1));
     let touching = site.ranges.get(site.at + 1).is_some_and(|next| next.start == place.end);
     if (before, after, touching) == (Some(Kind::Number), Some(Kind::Number), true) {
-        let message = "a decimal point is written `.`";
+        let message = "a decimal point is written as `.`";
         return Some(Diagnostic::new(E0110, place, message).fix(Applicability::Unsafe, "write `.`", place, "."));
     }
     if site.innermost_open().is_some() {
@@ -97,12 +97,12 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
     let place = site.range(site.at);
     match site.found()? {
         Kind::Define => {
-            let diagnostic = Diagnostic::new(E0110, place, "`:=` defines a predicate; to compare write `=`");
+            let diagnostic = Diagnostic::new(E0110, place, "`:=` defines a predicate; to compare, write `=`");
             Some(diagnostic.fix(Applicability::Unsafe, "write `=`", place, "="))
         }
         Kind::Arrow | Kind::ArrowSign => {
             let message = format!("{} is allowed only after the target of an assignment", site.quoted(site.at));
-            Some(Diagnostic::new(E0110, place, message).note("to compare write `=`"))
+            Some(Diagnostic::new(E0110, place, message).note("to compare, write `=`"))
         }
         Kind::Weight => {
             let diagnostic = Diagnostic::new(E0110, place, "`weight` belongs to `prefer`");
@@ -110,7 +110,7 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             Some(match site.kind(site.head) {
                 Some(Kind::Assert) => diagnostic
                     .related(keyword, "assertions are hard constraints and have no weight")
-                    .fix(Applicability::Unsafe, "prefer it instead", keyword, "prefer"),
+                    .fix(Applicability::Unsafe, "make it a preference", keyword, "prefer"),
                 _ => diagnostic,
             })
         }

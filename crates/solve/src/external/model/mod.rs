@@ -144,7 +144,8 @@ impl Proposer for ModelProposer<'_> {
             if together || taken {
                 self.tally.taken += 1;
             } else {
-                self.refused.push(format!("the new place of {name} repairs nothing, or breaks what holds"));
+                self.refused
+                    .push(format!("the new position of {name} repairs nothing, or violates a constraint that holds"));
             }
         }
     }

@@ -146,7 +146,7 @@ fn what_breaks_what_holds_is_refused_and_told() {
     assert_eq!((hybrid.tally.proposed, hybrid.tally.taken), (1, 0));
     assert_eq!(x(&hybrid.outcome, "lamp"), -2.0);
     let refused = &model.told(1)["refused_last_time"];
-    assert_eq!(refused, &json!(["the new place of lamp repairs nothing, or breaks what holds"]));
+    assert_eq!(refused, &json!(["the new position of lamp repairs nothing, or violates a constraint that holds"]));
     assert_eq!(model.told(2).get("refused_last_time"), None);
 }
 
@@ -171,7 +171,7 @@ fn of_an_answer_the_good_part_is_taken() {
             "table is fixed",
             "there is no object `ghost [31m`",
             "lamp was moved twice",
-            "the new place of plant repairs nothing, or breaks what holds",
+            "the new position of plant repairs nothing, or violates a constraint that holds",
         ])
     );
 }
