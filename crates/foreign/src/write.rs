@@ -237,7 +237,7 @@ impl Writer<'_> {
                 }
                 Open::Sizeless => sizes.push(note(format!("{n} left out, because {their} size is unknown: {list}"))),
                 Open::Nowhere => {
-                    drop(note(format!("{n} left out, because the file does not give {their} position: {list}")))
+                    note(format!("{n} left out, because the file does not give {their} position: {list}"));
                 }
             }
         }
