@@ -199,7 +199,7 @@ fn features_that_cannot_be_used_are_one_diagnosis_and_words_decide() {
         (
             |f, _| fs::write(f.join("features/sbert_models.npy"), npy("(2, 2)", &[1.0, 0.0, 0.0, 1.0])).unwrap(),
             "E0706",
-            "it has 2 rows, features/names.json 3 texts",
+            "it has 2 rows, but features/names.json has 3 texts",
         ),
         (
             |f, _| fs::write(f.join("features/clip_queries.npy"), npy("(1, 3)", &[1.0, 0.0, 0.0])).unwrap(),
