@@ -120,7 +120,7 @@ fn one_colour_of_forty_objects_makes_one_asset_again() {
     folder.program(&painted("navy"));
     let told = folder.told(&[]);
     let after = folder.files();
-    assert_eq!(told["assets"], json!({ "objects": 40, "made": { "backShelf": ["color was \"white\", is \"navy\""] } }));
+    assert_eq!(told["assets"], json!({ "objects": 40, "made": { "backShelf": ["color has changed from \"white\" to \"navy\""] } }));
     assert_eq!(told["layout"], json!({ "made": false, "why": [] }));
     let why = json!(["`backShelf` looks different", "the text of the program has changed"]);
     assert_eq!(told["export"]["unity"], json!({ "made": true, "why": why }));
@@ -192,7 +192,7 @@ fn one_of_six_equal_objects_is_painted_and_the_prefab_of_the_others_is_not_touch
     folder.program(&stools(colors));
     let told = folder.told(&[]);
     let after = folder.files();
-    assert_eq!(told["assets"]["made"], json!({ "stool[2]": ["color was \"white\", is \"navy\""] }));
+    assert_eq!(told["assets"]["made"], json!({ "stool[2]": ["color has changed from \"white\" to \"navy\""] }));
     assert_eq!(told["removed"], json!([]));
     let is_own = |name: &String| {
         ["room.glb", "room.scene", "unity/Assets/Scenelang/spec.scene.txt", "unity/Assets/Scenes/room.unity"]
