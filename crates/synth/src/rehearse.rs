@@ -467,7 +467,7 @@ mod tests {
         let mut draft = read(request, &Options::default()).draft;
         assert_eq!(rehearse(&mut draft, &Stop::default(), &mut |_| ()), Tried::Holds);
         let demanded = |s: &&scenelang_formalize::draft::Statement| s.demand == Demand::Must;
-        let corner = draft.statements.iter().filter(demanded).any(|s| s.text.contains("inCorner(bed"));
+        let corner = draft.statements.iter().filter(demanded).any(|s| s.text.contains("inCorner(kingSizeBed"));
         assert!(corner, "{}", write(&draft));
     }
 

@@ -120,7 +120,10 @@ fn one_colour_of_forty_objects_makes_one_asset_again() {
     folder.program(&painted("navy"));
     let told = folder.told(&[]);
     let after = folder.files();
-    assert_eq!(told["assets"], json!({ "objects": 40, "made": { "backShelf": ["color has changed from \"white\" to \"navy\""] } }));
+    assert_eq!(
+        told["assets"],
+        json!({ "objects": 40, "made": { "backShelf": ["color has changed from \"white\" to \"navy\""] } })
+    );
     assert_eq!(told["layout"], json!({ "made": false, "why": [] }));
     let why = json!(["`backShelf` looks different", "the text of the program has changed"]);
     assert_eq!(told["export"]["unity"], json!({ "made": true, "why": why }));
