@@ -145,7 +145,7 @@ check("a program without a layout is shown all the same, and written when it is 
   await begin("scenelang.openPreview");
   await until("the room", async () => (await rooms()) === 1, 60_000);
   const notice = async () => {
-    const told = await Promise.all(e.page.frames().map((frame) => frame.evaluate(() => document.querySelector(".notice")?.textContent ?? "").catch(() => "")));
+    const told = await Promise.all(e.page.frames().map((frame) => frame.evaluate(() => document.querySelector(".notice:not([hidden])")?.textContent ?? "").catch(() => "")));
     return told.some((words) => words.includes("provisional"));
   };
   await until("that it is provisional", notice, 60_000);
