@@ -132,7 +132,7 @@ check("the tree shows the constraints by state and by object, and leads to the t
   const line = await lineOf(e, "distance(lamp");
   await until("the line in the text", async () => {
     // Rows move while the tree is being filled, and another may be under the pointer.
-    const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'monaco-list-row')][contains(., 'distance(lamp')])");
+    const [row] = await e.page.$$("::-p-xpath(//div[contains(concat(' ', @class, ' '), ' monaco-list-row ')][contains(., 'distance(lamp')])");
     await row.click();
     await sleep(300);
     return (await e.api("return vscode.window.activeTextEditor?.selection.start.line")) === line;
