@@ -200,12 +200,21 @@ impl Writer<'_> {
                 self.inferred("a door stands on the floor and opens freely", &asked);
             }
             OpeningKind::Window if !raised && ceiling.is_finite() => {
-                let sill = SILL.min((ceiling - size[1]) / 2.0).max(0.0);
+                let usual = SILL.min((ceiling - size[1]) / 2.0);
+                let sill = usual.max(self.top_below(name).min(ceiling - size[1] - 0.02)).max(0.0);
                 self.inferred("a window has a sill", &[Some(format!("{name}.pos.y = {}", number(sill)))]);
             }
             OpeningKind::Window => {}
         }
         self.following(Some(name));
+    }
+
+    /// The top of what a window is said to be above of, where that stands on the floor.
+    fn top_below(&self, window: &str) -> f64 {
+        let begin = format!("above({window}, ");
+        let below = self.draft.statements.iter().filter_map(|s| s.text.strip_prefix(&begin)?.strip_suffix(')'));
+        let things = below.filter_map(|name| self.draft.things.iter().find(|thing| thing.name == name));
+        things.filter_map(|thing| thing.size).map(|[_, h, _]| h + 0.02).fold(0.0, f64::max)
     }
 
     /// One assertion of several conditions, as far as there are any.

@@ -148,8 +148,10 @@ fn bunk(a: &Ask) -> Model {
     for post in b.x(b.min.x..b.min.x + t).z(b.min.z..b.min.z + t).four_corners() {
         m.board(post, &frame);
     }
-    m.surface = Some(0.27 * a.h);
-    for base in [0.1 * a.h, 0.66 * a.h] {
+    // Under a loft bed there is room.
+    let loft = a.says(&["loft"]);
+    m.surface = Some(if loft { 0.83 * a.h } else { 0.27 * a.h });
+    for base in [0.1 * a.h, 0.66 * a.h].into_iter().skip(usize::from(loft)) {
         let bed = b.inset(0.2 * t, 0.0, 0.2 * t);
         m.board(bed.y(base..base + 0.09 * a.h), &frame);
         let mattress = b.inset(t, 0.0, t).y(base + 0.09 * a.h..base + 0.17 * a.h);

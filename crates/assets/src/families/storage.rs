@@ -311,7 +311,8 @@ pub(super) fn rack(a: &Ask) -> Model {
     for post in b.x(b.min.x..b.min.x + t).z(b.min.z..b.min.z + t).four_corners() {
         m.board(post, &posts);
     }
-    let rows = pieces(a.h, 0.6, 1, 4);
+    let pallets = a.says(&["pallet"]);
+    let rows = pieces(a.h, if pallets { 1.25 } else { 0.6 }, 1, 4);
     let beam = 0.07_f64.min(0.1 * a.h);
     let step = (a.h - beam) / rows as f64;
     let inner = b.inset(0.3 * t, 0.0, 0.3 * t);
@@ -323,6 +324,16 @@ pub(super) fn rack(a: &Ask) -> Model {
             m.mesh.board(f, &beams);
         }
         if i == rows || a.says(&["empty"]) {
+            continue;
+        }
+        if pallets {
+            let free = inner.inset(t, 0.0, 0.05 * a.d).y(y + beam..y + step - 0.05 * step);
+            for place in free.split(0, pieces(free.size().x, 1.25, 1, 4), 0.12) {
+                let full = dice.between(0.4, 0.95);
+                if dice.unit() < 0.85 {
+                    loaded_pallet(&mut m, place, full, *dice.pick(&[0xbd9462, 0xb08655, 0xc9a577]));
+                }
+            }
             continue;
         }
         // Cartons of three sizes, never more than the shelf holds.
@@ -512,4 +523,24 @@ pub(super) fn clothes_rack(a: &Ask) -> Model {
         m.mesh.taper(c.y(low..c.max.y), shoulder, &s);
     }
     m
+}
+
+/// A pallet with cartons on it that fill so much of the height.
+fn loaded_pallet(m: &mut Model, place: Block, full: f64, paper: u32) {
+    let size = place.size();
+    let wood = 0.14_f64.min(0.3 * size.y);
+    let deck = place.y(place.min.y + 0.75 * wood..place.min.y + wood);
+    m.mesh.board(deck, &stuff::BIRCH.surface());
+    for skid in place.y(place.min.y..place.min.y + 0.75 * wood).split(0, 3, 0.3 * size.x) {
+        m.mesh.board(skid, &stuff::BIRCH.surface());
+    }
+    let load = place.inset(0.02 * size.x, 0.0, 0.03 * size.z);
+    let load = load.y(place.min.y + wood..place.min.y + wood + full * (size.y - wood));
+    m.solid(load);
+    let surface = Stuff(Finish::Paper, paper).surface();
+    for layer in load.split(1, pieces(load.size().y, 0.4, 1, 3), 0.006) {
+        for c in layer.split(0, pieces(size.x, 0.45, 1, 4), 0.006) {
+            carton(m, c, &surface);
+        }
+    }
 }

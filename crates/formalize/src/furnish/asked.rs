@@ -4,20 +4,24 @@ use super::build::Root;
 use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::inventory::{TEAM, counter_length, opposite_of};
+use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
 use super::kinds::{self, Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
-use super::spots::{free, gate, in_row, is_driven_in, kept, lanes, near, near_to, nominal, staffed, watched_from};
-use super::{facing, groups, slots, stacks, stand, twin};
+use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from};
+use super::{facing, groups, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::Demand;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// So many counters stand near the door.
 const SERVED: usize = 4;
 /// Several things with a place of their own are so far apart (metres).
 const APART: f64 = 0.8;
+/// Before this an island stands.
+const COUNTER: &str = "kitchen counter";
+/// What stands free with its seats is at least so far from others, if the room may be larger (metres).
+const CLOSE: f64 = 0.45;
 /// What stands or leads along a wall.
 const PARKED: [&str; 9] =
     ["staircase", "stairs", "stairway", "bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
@@ -140,7 +144,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
-    let apart = (it.count == 1 || is_visited(plan, &noun)) && matches!(own, Some(Place::Floor | Place::Middle));
+    let apart = (it.count == 1 || groups::is_visited(&noun, plan.kind.dress)) && matches!(own, Some(Place::Floor | Place::Middle));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
     // A car stands in line with the gate, and so does what lifts it.
@@ -169,10 +173,10 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // What is watched stands across from where one sits.
     let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));
     let looks_at = watched.and_then(|line| opposite_of(plan, line)).and_then(|name| plan.place_in_room(&name));
-    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside, looks_at };
+    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside, looks_at, by: line.map_or("", |line| line.by) };
     // A mat has a place of its own, on which nothing stands.
     let is_mat = stand::group(&noun) == Group::Flat && noun.ends_with("mat") && !plan.is_placed(thing);
-    if !(plan.ground.is_some() && (is_on_floor || is_mat) && place(plan, thing, wall, &like)) {
+    if !(plan.ground.is_some() && (is_on_floor || is_mat) && give_place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
@@ -181,11 +185,6 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
 /// Whether a thing is parked along a wall. An exercise bike is not.
 fn is_parked(noun: &str) -> bool {
     noun == "bike" || PARKED.iter().any(|end| noun.ends_with(end))
-}
-
-/// Whether visitors sit across from who works there.
-fn is_visited(plan: &Plan, noun: &str) -> bool {
-    groups::of(noun, plan.kind.dress).iter().any(|part| matches!(part.at, groups::Where::RowBehind(..)))
 }
 
 /// A desk at which visitors are received stands as in a reception, in rooms that usually have none.
@@ -206,6 +205,8 @@ struct Like {
     aside: bool,
     /// Across from what stands here.
     looks_at: Option<Pose>,
+    /// Near this.
+    by: &'static str,
 }
 
 /// Says that a thing stands at a wall, which is only preferred where the request places it.
@@ -237,7 +238,7 @@ fn at_a_wall(plan: &mut Plan, thing: usize) -> AtWall {
 }
 
 /// Gives a thing a place. Whether there is one.
-fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
+fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     let it = plan.draft.things[thing].clone();
     let Some(size) = it.size else { return false };
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
@@ -252,26 +253,33 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
         looks_at: like.looks_at.or_else(|| watched_from(plan).or_else(between).filter(|_| fire)),
         strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
-        near: None,
+        near: near_to(plan, if it.category.ends_with("island") { COUNTER } else { like.by }),
         beds: &[],
+        watched: is_watched_room(plan),
+        dines: plan.dines(),
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
+    let turn = [island_turn(plan)];
     let central = says(&format!("centeredIn({},", it.name));
     let yaws: &[f64] = match says(&format!("{}.rot.y = 90", it.name)) {
         true => &[90.0],
-        false if it.category.ends_with("island") => &[180.0],
-        false if is_visited(plan, &noun) => &[0.0, 90.0, 180.0, 270.0],
+        false if it.category.ends_with("island") => &turn,
+        false if groups::is_visited(&noun, plan.kind.dress) => &[0.0, 90.0, 180.0, 270.0],
         false => &[0.0],
     };
+    let received = it.count == 1 && groups::is_visited(&noun, plan.kind.dress);
     let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));
     let is_parked = is_parked(&noun);
     let around = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
     let row = RefCell::new(Vec::new());
+    let is_close = Cell::new(false);
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
             Some(pose)
         } else if central {
             choice.middle(floor, shape, yaws)
+        } else if let Some(pose) = received.then(|| choice.received_at(floor, shape)).flatten() {
+            Some(pose)
         } else if let Some((line, nominal)) = own {
             match line.place {
                 Place::Service(gap) => lanes(&choice, floor, shape, before, (it.count, gap), &row),
@@ -294,7 +302,11 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
                     let aside = Choice { strictly: false, ..*choice };
                     choice.wall(floor, shape, before).or_else(|| aside.wall(floor, shape, before))
                 }
-                _ => free(choice, floor, shape, before, (it.count, yaws), &row),
+                _ => {
+                    let pose = free(choice, floor, shape, before, (it.count, yaws), &row)?;
+                    is_close.set(shape.pieces.len() > 1 && floor.room_around(shape, &pose) < CLOSE);
+                    Some(pose)
+                }
             })
         }
     };
@@ -321,6 +333,11 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
     }
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: around, whole: false, seek: &seek };
     let placed = plan.place_asked(thing, &root);
+    if placed && it.count > 1 && noun.starts_with("checkout") {
+        let tills: Vec<Pose> =
+            (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
+        keep_exit(plan, &tills, size);
+    }
     // Not in mid-room, should the search move it.
     if placed && like.aside && it.count == 1 && it.size.is_some_and(|s| s[1] > TALL) {
         plan.say(
@@ -328,13 +345,23 @@ fn place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool {
             "it usually stands there in such a room",
         );
     }
+    if let Some(at) = plan.place_in_room(&it.name).filter(|_| placed && received && !plan.is_placed(thing)) {
+        let text = format!("assert {};", place::absolute(&it.name, &plan.room_name(), [at.x, at.y, at.z], at.yaw));
+        plan.say(text, "who works there has the visitors before the eyes");
+    }
     // Several tables that stand where there is a gap want a larger room.
     let is_scattered = it.count > 1
         && row.borrow().is_empty()
         && stand::group(&it.category) == Group::Table
         && groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat);
-    plan.lacking += usize::from(!placed || is_scattered);
+    // So does a table whose chairs meet those of a desk.
+    plan.lacking += usize::from(!placed || is_scattered || is_close.get());
     placed
+}
+
+/// How an island is turned: who sits there has the kitchen before the eyes.
+fn island_turn(plan: &Plan) -> f64 {
+    near_to(plan, COUNTER).map_or(180.0, |at| at.yaw)
 }
 
 /// What is asked for and stands free is parallel to the walls, where nothing says how it is turned.
@@ -370,12 +397,17 @@ fn straighten(plan: &mut Plan, thing: usize) {
     let yaw = match (w >= d) == along {
         _ if is_driven_in(&it.category) && gate(plan).is_some() => "0",
         // Who sits at an island has the kitchen before the eyes.
-        true if it.category.ends_with("island") => "180",
+        _ if it.category.ends_with("island") => match island_turn(plan) {
+            0.0 => "0",
+            90.0 => "90",
+            270.0 => "270",
+            _ => "180",
+        },
         true => "0",
         false => "90",
     };
     let [own_w, _, own_d] = it.size.unwrap_or_default();
-    let (across, deep) = if yaw != "90" { (own_w, own_d) } else { (own_d, own_w) };
+    let (across, deep) = if matches!(yaw, "0" | "180") { (own_w, own_d) } else { (own_d, own_w) };
     // What cannot stand so is left to turn.
     if across > w || deep > d {
         return;

@@ -24,6 +24,10 @@ const FEET: f64 = 0.4;
 /// Beyond a table before a sofa this much is free, and so much wider.
 const PASS: f64 = 0.5;
 const ASIDE: f64 = 0.4;
+/// What one works at from all sides, and how much is free there.
+const WORKED_AROUND: [(&str, f64); 2] = [("table saw", 0.8), ("work table", 0.6)];
+/// Beside a fireplace this much is free.
+const HEARTH: f64 = 0.4;
 /// Behind the belt of a treadmill this much is free.
 const FALL: f64 = 0.9;
 /// What one lies on to be treated, and how much is free on both sides.
@@ -96,11 +100,18 @@ impl Building {
             // Who falls off it falls behind it.
             keep(0.0, (d + FALL) / 2.0, [w, 1.0, FALL]);
         }
+        if noun.ends_with("fireplace") {
+            // Nothing that burns stands beside a fire.
+            for side in [-1.0, 1.0] {
+                keep(side * (w + HEARTH) / 2.0, 0.0, [HEARTH, 1.2, d]);
+            }
+        }
         if noun.ends_with("coffee table") {
             // One walks past it on the side away from the sofa.
             keep(0.0, -(d + PASS) / 2.0, [w + 2.0 * ASIDE, 1.0, PASS]);
         }
-        if let Some(depth) = stand::played_at(noun) {
+        let worked = WORKED_AROUND.iter().find(|(end, _)| noun.ends_with(end)).map(|(_, depth)| *depth);
+        if let Some(depth) = stand::played_at(noun).or(worked) {
             for side in [-1.0, 1.0] {
                 keep(side * (w + depth) / 2.0, 0.0, [depth, 1.2, d]);
                 keep(0.0, side * (d + depth) / 2.0, [w, 1.2, depth]);

@@ -23,6 +23,10 @@ pub struct Choice<'a> {
     pub near: Option<Pose>,
     /// Where the beds of the room are, above whose heads no screen hangs.
     pub beds: &'a [Pose],
+    /// Whether such rooms have a screen across from the sofa.
+    pub watched: bool,
+    /// Whether one eats in the room, too: the sofa leaves the middle.
+    pub dines: bool,
 }
 
 /// The part of a room for those who work behind a counter.
@@ -43,12 +47,16 @@ const ALONE: f64 = 0.3;
 /// A screen is over the head of a bed whose middle is no farther from it along the wall, and into the room (metres).
 const BESIDE_BED: f64 = 1.2;
 const LONG_BED: f64 = 1.8;
+/// A seating group of a lobby has at least so much around it, where there is a choice (metres).
+const APART_FROM_OTHERS: f64 = 1.4;
 /// In mid-room it is so much farther from there (metres).
 const FREE: f64 = 2.6;
 /// What is parked along a wall is so far from it (metres).
 const ALONG_WALL: f64 = 0.05;
 /// What belongs at a window costs so much more elsewhere.
 const AWAY_FROM_WINDOW: f64 = 6.0;
+/// What stands in the middle of a wall.
+const CENTRED: [&str; 3] = ["sideboard", "credenza", "fireplace"];
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 /// A stand with a screen, across from a sofa, and what a place for a sofa without one costs.
@@ -61,6 +69,12 @@ const LEFT_AT_DOOR: [&str; 7] =
     ["shopping cart", "bin", "coat rack", "coat stand", "umbrella stand", "shoe rack", "shopping basket"];
 /// So far beside the door's middle (metres).
 const BESIDE_DOOR: f64 = 1.3;
+
+/// Beside a desk at which visitors are received one walks to the chair behind it, which has so much to the wall; and it is
+/// so far from the door at least (metres).
+const BESIDE_DESK: f64 = 0.75;
+const BEHIND_CHAIR: [f64; 2] = [0.35, 0.6];
+const FROM_DOOR: f64 = 3.0;
 
 impl Choice<'_> {
     fn is(&self, nouns: &[&str]) -> bool {
@@ -136,15 +150,24 @@ impl Choice<'_> {
         } else if self.is(&["sofa", "couch"]) {
             // Across from it there is room for a screen, and no window behind that.
             let dazzled = self.windows.contains(&wall.across());
-            cost += along.abs() / length * 0.5 + if dazzled { 0.8 } else { 0.0 };
+            let aside = along.abs() / length * if self.dines { -1.0 } else { 0.5 };
+            cost += aside + if dazzled { 0.8 } else { 0.0 };
             let there = wall.across().place(floor.size, 0.0, SCREEN[2] / 2.0 + seek::BEHIND);
             let there = match wall {
                 Wall::Back | Wall::Front => Pose { x: pose.x, ..there },
                 Wall::Left | Wall::Right => Pose { z: pose.z, ..there },
             };
-            cost += if self.looks_at.is_none() && !floor.has_room(&there, SCREEN) { NO_SCREEN } else { 0.0 };
             let deep = if matches!(wall, Wall::Back | Wall::Front) { floor.size[2] } else { floor.size[0] };
-            cost += (3.6 - deep).max(0.0) + (deep - 4.6).max(0.0) * 0.6;
+            if self.watched {
+                cost += if self.looks_at.is_none() && !floor.has_room(&there, SCREEN) { NO_SCREEN } else { 0.0 };
+                cost += (3.6 - deep).max(0.0) + (deep - 4.6).max(0.0) * 0.6;
+            } else {
+                // Groups of guests keep to themselves.
+                cost += (APART_FROM_OTHERS - floor.room_around(shape, pose)).max(0.0);
+            }
+        } else if self.is(&CENTRED) && before.is_empty() && self.near.is_none() {
+            // With a picture above it, it is the middle of its wall.
+            cost += along.abs() / length * 0.5;
         } else if self.looks_at.is_none() {
             let to_end = length / 2.0 - along.abs() - seek::reach(shape)[0].max(seek::reach(shape)[1]);
             cost += to_end.max(0.0).min(floor.room_around(shape, pose)).min(2.0) * 0.2;
@@ -274,6 +297,29 @@ impl Choice<'_> {
         best.map(|(_, pose)| pose)
     }
 
+    /// The best place for a desk across from which visitors sit: who works there has a wall behind and the door before the eyes.
+    pub fn received_at(&self, floor: &Floor, shape: &Shape) -> Option<Pose> {
+        let [.., chair] = seek::reach(shape);
+        let places = Wall::ALL.into_iter().flat_map(|wall| {
+            let half = (wall.length(floor.size) - self.size[0]) / 2.0 - BESIDE_DESK;
+            let steps = (half.max(0.0) / 0.1).floor() as i32;
+            let along = (-steps..=steps).map(|i| f64::from(i) * 0.1);
+            along.flat_map(move |along| BEHIND_CHAIR.map(|behind| (wall, wall.place(floor.size, along, chair + behind))))
+        });
+        let cost = |wall: Wall, at: &Pose| {
+            let to_middle = if matches!(wall, Wall::Back | Wall::Front) { at.x.abs() } else { at.z.abs() };
+            let unseen = if floor.door_ahead(at) < 1.0 { 3.0 } else { 0.0 };
+            let lit = if self.windows.contains(&wall) { 0.4 } else { 0.0 };
+            let near = (FROM_DOOR - floor.away_from_door(at)).max(0.0);
+            unseen + lit + near + to_middle * 0.2 + self.to_near(at) * 0.8
+        };
+        let turned = |at: &Pose| Pose { yaw: (at.yaw + 180.0).rem_euclid(360.0), ..*at };
+        seek::best(floor, shape, places.map(|(_, at)| turned(&at)), &|pose| {
+            let at = turned(pose);
+            Some(cost(Wall::behind(&at)?, &at))
+        })
+    }
+
     /// The best corner.
     pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
         let places = seek::in_corners(floor.size, shape, self.size, floor.edge).into_iter();
@@ -282,7 +328,8 @@ impl Choice<'_> {
                 return None;
             }
             let guest = matches!(self.staffed, Some(Staff::Beyond(_))) && stand::for_guests(self.noun);
-            let front = if pose.z < 0.0 && !guest { 0.5 } else { 0.0 };
+            let at_door = self.is(&LEFT_AT_DOOR);
+            let front = if pose.z < 0.0 && !guest && !at_door { 0.5 } else { 0.0 };
             // Who sits in a corner has the light of a window.
             let lit = self.windows.iter().any(|wall| match wall {
                 Wall::Back => pose.z > 0.0,
@@ -292,8 +339,10 @@ impl Choice<'_> {
             });
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
             // Behind a door nothing is seen but what one leaves there.
-            let by_door = if self.is(&LEFT_AT_DOOR) { 0.2 } else { 0.9 };
-            let door = (2.0 - floor.away_from_door(pose)).max(0.0) * by_door;
+            let door = match self.noun.starts_with("shopping") {
+                true => floor.away_from_door(pose) * 0.3,
+                false => (2.0 - floor.away_from_door(pose)).max(0.0) * if at_door { 0.2 } else { 0.9 },
+            };
             Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door + self.to_near(pose) * 0.8)
         };
         seek::best(floor, shape, places, &cost)

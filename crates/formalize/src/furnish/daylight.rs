@@ -17,6 +17,8 @@ pub const BETWEEN: f64 = BESIDE + 0.2;
 const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 /// Sizes of windows: the usual one, and those of narrow rooms.
 const WINDOWS: [[f64; 3]; 3] = [[1.4, 1.3, 0.12], [0.9, 1.2, 0.12], [0.6, 0.9, 0.12]];
+/// The height of a window whose sill is above worktops and taps.
+const OVER_WORKTOPS: f64 = 1.05;
 /// No room has more windows.
 const MOST: usize = 6;
 
@@ -61,9 +63,11 @@ fn windows(plan: &Plan) -> Option<Windows> {
     // A room of a home that usually has a window has one, however small it is.
     let wanted = if plan.draft.rooms.len() > 1 { wanted.max(plan.kind.windows.min(1)) } else { wanted };
     let watched = plan.kind.lines.iter().any(|line| matches!(line.place, Place::Back(_) | Place::Before(..)));
+    let cooks = plan.kind.lines.iter().any(|line| line.noun == "kitchen counter");
     // Small ones where it is narrow.
     let first = if plan.draft.rooms.len() > 1 && w.min(d) < 2.4 { 2 } else { 0 };
     for [width, height, thick] in WINDOWS[first..].iter().copied() {
+        let height = if cooks { height.min(OVER_WORKTOPS) } else { height };
         let size = [width, height.min(h - 1.1).max(0.4), thick];
         let step = width + BESIDE + 0.2;
         let most = ((w.max(d) - 0.4) / step) as usize;

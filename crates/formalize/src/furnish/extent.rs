@@ -40,12 +40,19 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let empty = draft.clone();
     let mut furnished = once(draft);
     if !is_free {
-        // A room that cannot grow has its bed before the desk that is asked for, if only so both have a place.
-        let mut other = empty;
-        if furnished.lacking > 0
-            && furnish_once(&mut other, brief, at, closed, (counted, First::Kind)).wants() < furnished.wants()
-        {
-            *draft = other;
+        // A room that cannot grow has its bed before the desk that is asked for, or its wardrobe before the bed, if only so both
+        // have a place.
+        for first in [First::Kind, First::Next] {
+            if furnished.lacking == 0 {
+                break;
+            }
+            let mut other = empty.clone();
+            let next = furnish_once(&mut other, brief, at, closed, (counted, first));
+            let has_first = kind_line(&draft.rooms[at].kind)
+                .is_none_or(|noun| count(&other, &noun) >= count(draft, &noun));
+            if next.wants() < furnished.wants() && has_first {
+                (furnished, *draft) = (next, other);
+            }
         }
         return;
     }
@@ -151,6 +158,11 @@ fn shrink(
         let sides = if k == 0 { [w * SHRINKING, d] } else { [w, d * SHRINKING] };
         done[k] = !try_sides(&mut *draft, &mut now, sides);
     }
+}
+
+/// The category of what matters most in a kind of room.
+fn kind_line(room: &str) -> Option<String> {
+    kinds::of(room)?.lines.first().map(|line| line.noun.replace(' ', "_"))
 }
 
 /// How many things of a category there are.

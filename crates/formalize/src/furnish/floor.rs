@@ -282,6 +282,11 @@ impl Floor {
         near.map_or(f64::INFINITY, |[dx, dz]| dx * sin + dz * cos)
     }
 
+    /// How far beyond a line across the floor the first door is; negative: on the other side.
+    pub fn door_beyond(&self, axis: usize, line: f64) -> f64 {
+        self.doors.first().map_or(0.0, |door| door[axis / 2] - line)
+    }
+
     /// How far a group at a place is from the nearest thing on the floor.
     pub fn room_around(&self, shape: &Shape, at: &Pose) -> f64 {
         let own: Vec<Block> = shape.pieces.iter().map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();

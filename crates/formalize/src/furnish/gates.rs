@@ -23,9 +23,10 @@ const BLIND_OFF: f64 = 0.065;
 const ABOVE_FLOOR: f64 = 0.03;
 const RAIL: f64 = 0.16;
 
-/// The doors that rooms of a kind have beside the ordinary one, in a program of one room.
+/// The doors that rooms of a kind have beside the ordinary one, in a program of one room; a garage of a home has its gate.
 pub fn doors(draft: &mut Draft, at: usize, kind: &Kind) {
-    if draft.rooms.len() > 1 || draft.outdoor || draft.rooms[at].outline.is_some() {
+    let of_home = draft.rooms.len() > 1;
+    if of_home && (kind.home.is_none() || kind.gate.is_none()) || draft.outdoor || draft.rooms[at].outline.is_some() {
         return;
     }
     let [w, h, d] = draft.rooms[at].size;
@@ -38,10 +39,13 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &Kind) {
         let size = [wide, high.min(h - 0.15), 0.12];
         add(draft, at, "garageDoor", GATE, size, &format!("cars or goods enter a {}", kind.name));
         // It is placed first: the ordinary door finds room beside it.
-        draft.openings.rotate_right(1);
+        if !of_home {
+            draft.openings.rotate_right(1);
+        }
     }
     if let Some(name) = kind.inner
         && !stated
+        && !of_home
     {
         let size = [0.86, 2.04_f64.min(h - 0.1), 0.12];
         let words: Vec<String> = name.split(' ').map(str::to_owned).collect();

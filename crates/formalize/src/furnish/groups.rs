@@ -72,6 +72,16 @@ pub fn of(name: &str, dress: &str) -> &'static [Part] {
     found.map_or(&[], Vec::as_slice)
 }
 
+/// Whether visitors sit across from who works at such a thing.
+pub fn is_visited(name: &str, dress: &str) -> bool {
+    of(name, dress).iter().any(|part| matches!(part.at, Where::RowBehind(..)))
+}
+
+/// Whether what goes with such a thing continues along the next wall.
+pub fn turns_corner(name: &str, dress: &str) -> bool {
+    of(name, dress).iter().any(|part| matches!(part.at, Where::Side(_, Along::Backs, _, yaw) if yaw != 0.0))
+}
+
 fn all() -> &'static BTreeMap<String, Vec<Part>> {
     static GROUPS: OnceLock<BTreeMap<String, Vec<Part>>> = OnceLock::new();
     GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")))

@@ -70,6 +70,8 @@ pub fn up(plan: &mut Plan, at: usize) {
         staffed: None,
         near: None,
         beds: &[],
+        watched: false,
+        dines: false,
     };
     let own = line.filter(|line| it.count == 1 && matches!(line.place, Place::Back(_) | Place::Front(_)));
     let own = own.map(|line| (line, nominal(plan, line, size, y)));

@@ -7,7 +7,7 @@ use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, is_desk, rows};
-use super::spots::{beds, beside_pair, ends, free, in_row, kept, lanes, near, near_to, nominal, staffed, watched_from};
+use super::spots::{beds, beside_pair, ends, free, in_row, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from};
 use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
 use crate::brief::Group;
@@ -227,15 +227,27 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
     single_of(plan, line, n, why, size, whole);
 }
 
+/// Whether such rooms have a screen across from the sofa.
+pub(super) fn is_watched_room(plan: &Plan) -> bool {
+    plan.kind.lines.iter().any(|line| matches!(&line.place, Place::Opposite(other) if other.ends_with("sofa")))
+}
+
 /// The name of the thing that a line's thing looks at from across the room.
 pub(super) fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
     let Place::Opposite(other) = &line.place else { return None };
-    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
-    here.find(|t| {
+    let is_it = |t: &&Thing| {
         let noun = t.category.replace('_', " ");
-        noun.ends_with(other.as_str()) || stand::are_kin(other, &noun)
-    })
-    .map(|t| t.name.clone())
+        t.room == Some(plan.room) && (noun.ends_with(other.as_str()) || stand::are_kin(other, &noun))
+    };
+    let one = plan.draft.things.iter().find(|t| t.count == 1 && is_it(t)).map(|t| t.name.clone());
+    // Of two in a corner, the first.
+    let turn = |name: String| plan.place_in_room(&name).map(|at| at.yaw);
+    let is_bent = |t: &&Thing| match [0, 1].map(|i| turn(format!("{}[{i}]", t.name))) {
+        [Some(first), Some(second)] => (first - second).rem_euclid(180.0) == 90.0,
+        _ => false,
+    };
+    let two = || plan.draft.things.iter().filter(|t| t.count == 2 && is_it(t)).find(is_bent);
+    one.or_else(|| two().map(|t| format!("{}[0]", t.name)))
 }
 
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
@@ -268,15 +280,20 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         staffed: staffed(plan),
         near: near_to(plan, line.by),
         beds: &beds,
+        watched: is_watched_room(plan),
+        dines: plan.dines(),
     };
     // Either side of a pair that faces each other will do.
     let behind = Choice { looks_at: aside.map(|at| Pose { yaw: (at.yaw + 180.0) % 360.0, ..at }), ..choice };
     let nominal = nominal(plan, line, size, y);
+    let dress = plan.kind.dress;
+    let bent = groups::turns_corner(line.noun, dress);
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
         _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
         Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, (n, false), &row)
             .filter(|_| line.place == Place::Wall)
+            .or_else(|| choice.in_corner(floor, shape, before).filter(|_| bent))
             .or_else(|| choice.wall(floor, shape, before)),
         Place::Service(gap) => lanes(&choice, floor, shape, before, (n, *gap), &row),
         Place::Opposite(_) => choice
@@ -287,6 +304,9 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
                 anywhere.wall(floor, shape, before)
             }),
         Place::Corner => choice.corner(floor, shape, before),
+        Place::Floor if n == 1 && groups::is_visited(line.noun, dress) => {
+            choice.received_at(floor, shape).or_else(|| choice.floor(floor, shape, before, &[0.0, 90.0]))
+        }
         Place::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
         Place::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
         _ => near(line, floor, shape, nominal),
@@ -332,6 +352,9 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     plan.lacking += amiss(plan, line, &poses, is_scattered, opposite_pose);
     if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
         keep_view(plan, at, &seen);
+    }
+    if n > 1 && line.noun.starts_with("checkout") {
+        keep_exit(plan, &poses, size);
     }
     let at = Stood { line, thing, poses: &poses, nominal, gap, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);

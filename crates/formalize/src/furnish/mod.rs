@@ -41,7 +41,7 @@ mod twin;
 mod whom;
 
 use crate::brief::{Brief, Fact, Group, Number, Pattern, What};
-use crate::draft::Draft;
+use crate::draft::{Draft, Source, Thing};
 pub use area::overfull;
 use number::{Scale, scale};
 
@@ -56,6 +56,7 @@ const IN_A_ROW: usize = 3;
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
 pub fn measure(brief: &mut Brief) {
+    shaped(brief);
     seats::people(brief);
     for at in 0..brief.rooms.len() {
         let Some(kind) = kinds::of(&brief.rooms[at].name) else { continue };
@@ -79,6 +80,18 @@ pub fn measure(brief: &mut Brief) {
         let deep = ACROSS.max(area / LONGEST);
         let is_deep = brief.rooms.len() == 1 && watched && d * by > deep;
         brief.rooms[at].usual = Some(if is_deep { [area / deep, h, deep] } else { [w * by, h, d * by] });
+    }
+}
+
+/// An L- or U-shaped kitchen is a kitchen whose worktops turn a corner.
+fn shaped(brief: &mut Brief) {
+    const SHAPES: [(&str, &str); 2] = [("l", "corner kitchen"), ("u", "bay kitchen")];
+    for room in brief.rooms.iter_mut().filter(|room| room.name == "kitchen") {
+        let said = brief.request.get(room.source.at()).unwrap_or("").to_lowercase();
+        let is = |letter: &str| [" ", "-"].iter().any(|mark| said.contains(&format!("{letter}{mark}shaped kitchen")));
+        if let Some((_, kind)) = SHAPES.iter().find(|(letter, _)| is(letter)) {
+            (*kind).clone_into(&mut room.name);
+        }
     }
 }
 
@@ -258,7 +271,9 @@ fn named(brief: &mut Brief) {
 
 /// Adds to each room of a draft what such rooms have.
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
-    let mut closed: Vec<String> = draft.things.iter().map(|thing| thing.category.replace('_', " ")).collect();
+    let is_named = |thing: &&Thing| !is_among_more(draft, brief, thing);
+    let mut closed: Vec<String> =
+        draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();
     closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
     if draft.rooms.len() == 1 {
         return extent::furnish(draft, brief, 0, &closed);
@@ -266,6 +281,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
     for at in 0..draft.rooms.len() {
         // What is asked for in one room is not there for the others.
         let own = draft.things.iter().filter(|thing| thing.room == Some(at));
+        let own = own.filter(|thing| !is_among_more(draft, brief, thing));
         let mut closed: Vec<String> = own.map(|thing| thing.category.replace('_', " ")).collect();
         closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
         // Clothes hang in the room for clothes.
@@ -274,6 +290,17 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
         }
         extent::furnish(draft, brief, at, &closed);
     }
+}
+
+/// Whether "shelves" are asked for, with nothing else said of them, in a room that has several rows of those: others are added to
+/// them.
+fn is_among_more(draft: &Draft, brief: &Brief, thing: &Thing) -> bool {
+    let (Source::Stated(_), Some(room)) = (&thing.source, thing.room) else { return false };
+    let said = brief.request.get(thing.source.at()).unwrap_or("");
+    let Some(kind) = kinds::of(&draft.rooms[room].kind) else { return false };
+    let noun = thing.category.replace('_', " ");
+    let like = kind.lines.iter().filter(|line| stand::counts_as(line.noun, &noun));
+    stand::group(&noun) == Group::Storage && thing.count > 1 && !said.contains(' ') && like.count() > 1
 }
 
 /// Whether a room is the only bedroom of a home that has a room for clothes.

@@ -90,6 +90,10 @@ pub fn doors(draft: &mut Draft, room: usize) {
                 (None, Wall::Back) => 2.0,
                 _ => 0.0,
             };
+            // A car that comes in by it has room before it.
+            let [across, _, deep] = draft.rooms[room].size;
+            let before = if matches!(wall, Wall::Front | Wall::Back) { deep } else { across };
+            let dear = if gate && before < CAR { dear + 3.0 } else { dear };
             for (low, high) in spans(draft, room, wall, beyond) {
                 let half = door.size[0] / 2.0;
                 let margin = if high - low > door.size[0] + 2.0 * CORNER { CORNER } else { JAMB };
@@ -147,6 +151,9 @@ pub fn windows_in(draft: &Draft, room: usize, wall: Wall, n: usize, size: [f64; 
     }
     (n, (low + high) / 2.0 - step * (n as f64 - 1.0) / 2.0)
 }
+
+/// What a car and the ways round it need before a gate (metres).
+const CAR: f64 = 5.4;
 
 /// The floor of a room with the doors and windows that have a place.
 pub fn floor(draft: &Draft, room: usize) -> Floor {

@@ -62,6 +62,7 @@ impl Order {
         } else {
             later.extend(with_asked)
         }
+        later.sort_by_key(|at| !plan.draft.things[*at].category.ends_with("island"));
         later.extend(fires);
         Self { boards, first, later, hung, waiting, small, many_tables, many_seats }
     }
@@ -99,5 +100,6 @@ fn is_later(plan: &Plan, at: usize) -> bool {
     let is_watched = plan.kind.lines.iter().any(|line| {
         matches!(line.place, Place::Opposite(_)) && stand::counts_as(line.noun, &noun) && !plan.is_placed(at)
     });
-    is_watched || (at_walls || at_desks) && has_seats(plan, &noun)
+    // An island stands before the worktops.
+    is_watched || at_walls && noun.ends_with("island") || (at_walls || at_desks) && has_seats(plan, &noun)
 }

@@ -126,6 +126,12 @@ impl<'a> Plan<'a> {
         }
     }
 
+    /// Whether one eats in the room for want of another, beside what such a room has.
+    pub fn dines(&self) -> bool {
+        let eats = |room: &crate::draft::Room| super::kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
+        self.kind.eat.is_some() && self.draft.rooms.len() > 1 && !self.draft.rooms.iter().any(eats)
+    }
+
     /// Square metres.
     pub fn area(&self) -> f64 {
         let [w, _, d] = self.draft.rooms[self.room].size;
@@ -351,7 +357,10 @@ impl<'a> Plan<'a> {
             .collect();
         let each = places.len();
         let stands = places.iter().any(|slot| slot.level == Level::Floor) && own[1] > 0.05;
-        if each == 0 || !self.has_room_for_rug(own) || stands && !self.has_room(own, each * anchors, false) {
+        // Where places are known, they say better whether there is room for seats that matter.
+        let is_known = seat && self.matters && self.ground.is_some();
+        let has_room = !stands || is_known || self.has_room(own, each * anchors, false);
+        if each == 0 || !self.has_room_for_rug(own) || !has_room {
             // A table without its seats wants a larger room.
             if each > 0
                 && seat

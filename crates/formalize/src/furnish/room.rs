@@ -11,7 +11,7 @@ use super::plan::{Plan, for_people};
 use super::rows::is_desk;
 use super::{asked, gates, hang, stand, taste, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
-use crate::draft::{Draft, Room, Source, Thing};
+use crate::draft::{Draft, Source, Thing};
 
 /// So much of the floor a place to eat takes (square metres).
 const EATING: f64 = 8.0;
@@ -44,6 +44,8 @@ pub enum First {
     Asked,
     /// What makes it such a room: the bed of a bedroom.
     Kind,
+    /// What such a room has next: the wardrobe.
+    Next,
 }
 
 /// Furnishes a room of its size with as much as one of `counted` square metres has.
@@ -128,18 +130,20 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
     plan.small.clone_from(&order.small);
     order.boards.iter().for_each(|thing| hang::up(plan, *thing));
     let mut early = order.early(plan);
-    if first == First::Kind {
-        early.extend(plan.kind.lines.first().filter(|line| matches!(line.place, Place::Wall | Place::Run)));
+    let is_at_wall = |line: &&'static Line| matches!(line.place, Place::Wall | Place::Run);
+    match first {
+        First::Asked => {}
+        First::Kind => early.extend(plan.kind.lines.first().filter(is_at_wall)),
+        First::Next => early.extend(plan.kind.lines.get(1).filter(is_at_wall)),
     }
     early.iter().for_each(|line| matter(plan, line, true));
     let stand_up = |plan: &mut Plan, things: &[usize]| {
         things.iter().filter(|_| !crowd).for_each(|thing| asked::stand_up(plan, *thing));
     };
     stand_up(plan, &order.first);
-    let eats = |room: &Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
-    let home = plan.draft.rooms.len() > 1 && !plan.draft.rooms.iter().any(eats);
     let (first, rest) = plan.kind.lines.split_at(plan.kind.lines.len().min(2));
-    let eat = plan.kind.eat.iter().filter(|_| home);
+    let dines = plan.dines();
+    let eat = plan.kind.eat.iter().filter(|_| dines);
     // Where one eats in the room, too, its armchairs do not come first.
     let all = plan.counted;
     if eat.clone().next().is_some() {
@@ -213,6 +217,7 @@ fn matter(plan: &mut Plan, line: &Line, matters: bool) {
 fn eat_at(plan: &mut Plan, line: &Line) {
     let draft = plan.draft.clone();
     let before = (plan.ground.clone(), plan.floor, plan.walls, plan.turn);
+    plan.matters = true;
     inventory(plan, line);
     let new = &plan.draft.things[draft.things.len()..];
     if !new.iter().any(|thing| stand::group(&thing.category) == Group::Seat) {

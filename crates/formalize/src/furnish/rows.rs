@@ -251,7 +251,11 @@ fn turned(
 /// So many tables in a single line look like a classroom.
 const SINGLE: usize = 5;
 /// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
-const AISLES: [f64; 3] = [2.4, 1.85, 1.2];
+const AISLES: [f64; 4] = [3.0, 2.4, 1.85, 1.2];
+const WIDEST: f64 = 3.2;
+/// So many pallet racks stand back to back, with so much between the two (metres).
+const BACK_TO_BACK: usize = 4;
+const BEHIND_RACKS: f64 = 0.1;
 /// Behind a gate so much is free of racks, and so much of shelves where one pays (metres).
 const BEFORE_GATE: f64 = 2.2;
 const BEFORE_TILLS: f64 = 3.2;
@@ -378,13 +382,17 @@ fn cells(
     (toward, farther, widest): (bool, f64, f64),
 ) -> Option<Vec<Pose>> {
     let [left, right, back, front] = reach;
-    let (one, cell_d) = (left + right, back + front);
+    let (one, own_d) = (left + right, back + front);
     let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
     let asked = n;
+    // Pallet racks stand back to back, with an aisle for a lift truck before each.
+    let deep = if noun.ends_with("pallet rack") && n >= BACK_TO_BACK { 2 } else { 1 };
+    let cell_d = deep as f64 * own_d + (deep - 1) as f64 * BEHIND_RACKS;
+    let each = each * deep;
     let n = n.div_ceil(each);
     let flat = size[1] < 0.05;
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
-    let [wide, usual, narrowest] = AISLES;
+    let [wide, _, usual, narrowest] = AISLES;
     let aisle_of_racks = match size[0] {
         _ if noun.ends_with("pallet rack") => wide,
         width if width < 2.0 => narrowest,
@@ -408,7 +416,7 @@ fn cells(
     let alone = seat && cell_w < 1.0 && (cell_d - size[2]).abs() < 0.02;
     let ways = match (rack, table) {
         (true, _) => AISLES.iter().filter(|aisle| **aisle <= aisle_of_racks).map(|aisle| (0.02, *aisle)).collect(),
-        _ if each == 2 => PAIRS.to_vec(),
+        _ if each == 2 && deep == 1 => PAIRS.to_vec(),
         _ if is_exhibited(noun) => vec![BETWEEN_EXHIBITS],
         (_, true) => vec![(TABLES, TABLES), narrow],
         _ if alone => vec![SEATS],
@@ -443,12 +451,12 @@ fn cells(
     let columns_used = n.div_ceil(lines_used);
     let columns_used = columns_used.next_multiple_of(halves);
     let spread = match () {
-        () if each == 2 => widest.min(PAIRS[0].0),
+        () if each == 2 && deep == 1 => widest.min(PAIRS[0].0),
         () if table => widest,
         () => around(plan, noun),
     };
     let step_x = if rack || alone { cell_w + aisle } else { step(free_w, cell_w, columns_used, aisle, spread) };
-    let step_z = step(free_d, cell_d, lines_used, between, if rack { 2.6 } else { spread });
+    let step_z = step(free_d, cell_d, lines_used, between, if rack { WIDEST } else { spread });
     // The middle of the rows, the group's own middle apart.
     let mid_z = (side - ahead) / 2.0 - if toward { 0.0 } else { (front - back) / 2.0 };
     // Who sits at a desk looks over its back; who sits on a seat, the way that faces.
@@ -459,12 +467,15 @@ fn cells(
     // A short last line keeps to the columns.
     let place = |i: usize| {
         let (in_pair, unit) = (i % each, i / each);
+        let (in_pair, behind) = if deep == 2 { (0, in_pair) } else { (in_pair, 0) };
         let (column, line) = (unit % columns_used, unit / columns_used);
         let x = (column as f64 - (columns_used as f64 - 1.0) / 2.0) * step_x;
         let x = x + if 2 * column < columns_used { -0.5 } else { 0.5 } * aisle_of_seats;
-        let x = x + (in_pair as f64 - (each as f64 - 1.0) / 2.0) * (one + BETWEEN);
+        let beside = (each / deep) as f64;
+        let x = x + (in_pair as f64 - (beside - 1.0) / 2.0) * (one + BETWEEN);
         let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
-        let yaw = if alternate && line % 2 == 0 { 180.0 } else { yaw };
+        let z = z + (behind as f64 - (deep as f64 - 1.0) / 2.0) * (own_d + BEHIND_RACKS);
+        let yaw = if alternate && line % 2 == 0 || deep == 2 && behind == 0 { 180.0 } else { yaw };
         Pose { x, y: 0.0, z, yaw }
     };
     Some((0..asked.min(each * n)).map(place).collect())

@@ -12,7 +12,10 @@ const STEP: f64 = 0.1;
 /// The most steps from the middle of the floor to a wall.
 const MOST_STEPS: f64 = 30.0;
 /// So many places are held against the ways.
-const TRIED: usize = 14;
+const TRIED: usize = 21;
+/// Places that are so near to one that bars a way are not tried (metres): after each so many tries, farther ones.
+const NEAR: [f64; 3] = [0.25, 0.7, 1.4];
+const EACH: usize = 7;
 /// What stands free is this far from walls.
 const FREE: f64 = 0.6;
 
@@ -102,7 +105,8 @@ pub fn best(
     // Places beside each other bar the same ways: one of each neighbourhood is tried.
     let mut tried: Vec<Pose> = Vec::new();
     for (_, at) in &found {
-        if tried.iter().any(|other| (other.x - at.x).hypot(other.z - at.z) < 0.25 && other.yaw == at.yaw) {
+        let near = NEAR[(tried.len() / EACH).min(NEAR.len() - 1)];
+        if tried.iter().any(|other| (other.x - at.x).hypot(other.z - at.z) < near && other.yaw == at.yaw) {
             continue;
         }
         if floor.leaves_ways(shape, at) {

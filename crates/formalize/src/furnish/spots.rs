@@ -56,7 +56,13 @@ pub(super) fn watched_from(plan: &Plan) -> Option<Pose> {
     // From the middle of several that look the same way.
     let places: Vec<Pose> =
         (0..seat.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", seat.name))).collect();
-    let first = *places.first().filter(|first| places.iter().all(|p| p.yaw == first.yaw))?;
+    let first = *places.first()?;
+    match places[..] {
+        // Of two in a corner, from the first.
+        [one, other] if (one.yaw - other.yaw).rem_euclid(180.0) == 90.0 => return Some(one),
+        _ if places.iter().any(|p| p.yaw != first.yaw) => return None,
+        _ => {}
+    }
     let mean = |of: fn(&Pose) -> f64| places.iter().map(of).sum::<f64>() / places.len() as f64;
     Some(Pose { x: mean(|p| p.x), z: mean(|p| p.z), ..first })
 }
@@ -164,6 +170,32 @@ pub(super) fn gate(plan: &Plan) -> Option<Pose> {
     plan.place_in_room(&door.name)
 }
 
+/// Behind several tills, where one has paid, nothing is for sale.
+pub(super) fn keep_exit(plan: &mut Plan, tills: &[Pose], size: [f64; 3]) {
+    let Some(ground) = &mut plan.ground else { return };
+    let Some(till) = tills.first() else { return };
+    let [w, _, d] = ground.size;
+    let way = Block::of(till, size);
+    // Guests come to the front of a till, or pass between two, and leave toward the door.
+    let across = if (till.yaw / 90.0).round() as i64 % 2 == 0 { 2 } else { 0 };
+    let half = [w, 0.0, d][across] / 2.0;
+    let toward_door = ground.door_beyond(across, (way.low[across] + way.high[across]) / 2.0);
+    let (low, high) = if toward_door > 0.0 { (way.high[across], half) } else { (-half, way.low[across]) };
+    let (middle, deep) = ((low + high) / 2.0, (high - low).max(0.1));
+    let (at, size) = match across {
+        2 => (Pose { z: middle, y: 0.05, ..Pose::default() }, [w, 1.8, deep]),
+        _ => (Pose { x: middle, y: 0.05, ..Pose::default() }, [deep, 1.8, d]),
+    };
+    ground.keep(&at, size);
+}
+
+/// Where the door to a room of a kind is.
+fn door_to(plan: &Plan, kind: &str) -> Option<Pose> {
+    let is = |room: &usize| *room != plan.room && plan.draft.rooms[*room].kind.ends_with(kind);
+    let door = plan.draft.openings.iter().find(|o| o.rooms.contains(&plan.room) && o.rooms.iter().any(is))?;
+    plan.place_in_room(&door.name)
+}
+
 /// What is kept free around a thing of the inventory, in its frame: behind a counter for who works there, before it for who
 /// is served, beside it for the way there; beside what hangs.
 pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<(Pose, [f64; 3])> {
@@ -220,7 +252,7 @@ pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> 
     let far = if car { 0.5 } else { 2.0 };
     // At a wall at the side "along" is to the back and to the front.
     let sideways = nominal.yaw == 90.0 || nominal.yaw == 270.0;
-    let sideways = sideways && matches!(line.place, Place::Back(_) | Place::Front(_));
+    let sideways = sideways && (car || matches!(line.place, Place::Back(_) | Place::Front(_)));
     let off = |i: i32, k: i32| match (0.15 * f64::from(i), 0.15 * f64::from(k)) {
         (along, off) if sideways => Pose { x: nominal.x + off, z: nominal.z + along, ..nominal },
         (along, off) => Pose { x: nominal.x + along, z: nominal.z - off, ..nominal },
@@ -243,6 +275,11 @@ pub(super) fn is_driven_in(noun: &str) -> bool {
     noun.ends_with("car") || noun.ends_with("car lift") || noun.ends_with("car_lift") || noun == "lift"
 }
 
+/// Whether something is in a wall at the left or the right.
+fn is_sideways(at: &Pose) -> bool {
+    matches!(Wall::behind(at), Some(Wall::Left | Wall::Right))
+}
+
 /// Where a thing of an inventory should stand that has its place in the room.
 pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose {
     let [width, _, depth] = plan.draft.rooms[plan.room].size;
@@ -261,6 +298,7 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
             Pose { x, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw }
         }
         _ => match gate(plan).filter(|_| is_driven_in(line.noun)) {
+            Some(gate) if is_sideways(&gate) => Pose { z: gate.z, yaw: 90.0, ..Pose::default() },
             Some(gate) => Pose { x: gate.x, ..Pose::default() },
             None => Pose { yaw: middle_yaw, ..Pose::default() },
         },
@@ -274,6 +312,11 @@ pub(super) fn has_table(plan: &Plan) -> bool {
 
 /// The place of the first thing of this name in the room; of several, their middle.
 pub(super) fn near_to(plan: &Plan, noun: &str) -> Option<Pose> {
+    match noun {
+        "gate" => return gate(plan),
+        "kitchen" => return door_to(plan, noun),
+        _ => {}
+    }
     let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !noun.is_empty());
     let thing = things.find(|t| t.category.replace('_', " ").ends_with(noun))?;
     let names = (0..thing.count).map(|i| format!("{}[{i}]", thing.name));

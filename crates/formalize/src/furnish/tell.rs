@@ -3,7 +3,7 @@
 use super::floor::Pose;
 use super::kinds::{Line, Place};
 use super::plan::{Plan, metres};
-use super::{choose, place, stand};
+use super::{choose, groups, place, stand};
 
 /// A line of an inventory that has found its place.
 pub(super) struct Stood<'a> {
@@ -57,6 +57,9 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
         Place::Corner if line.noun == "plant" => every(&|x| format!("onFloor({x}, {room})")),
         Place::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
         Place::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
+        Place::Floor if n == 1 && rectangular && groups::is_visited(line.noun, plan.kind.dress) => {
+            format!("assert {};", fixed(&at))
+        }
         Place::Middle | Place::Floor => {
             let yaw = metres(at.yaw);
             every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = {yaw}"))

@@ -81,12 +81,14 @@ fn shape(cell: &Cell, rect: &Rect, hub: bool) -> f64 {
     }
     let even = match (cell.wet, hub) {
         (true, _) => 1.8,
-        (false, true) => 1.7,
+        (false, true) => 1.6,
         _ => 1.4,
     };
+    // Who sits in a passage has no living room.
+    let weight = if cell.shared { 24.0 } else { 14.0 };
     let square = |v: f64| v.max(0.0).powi(2);
     let narrow = |least: f64, is: f64| if is < least - 1e-6 { 2.0 + 40.0 * square(least - is) } else { 0.0 };
-    14.0 * square(long / short - even)
+    weight * square(long / short - even)
         + narrow(cell.sides[0], short)
         + narrow(cell.sides[1], long)
         + 800.0 * square(area / cell.area[1] - 1.0)

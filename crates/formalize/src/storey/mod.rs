@@ -11,7 +11,7 @@ mod search;
 
 use crate::arrange::arrange_rooms;
 use crate::brief::{Brief, Group, Look, Room as Asked};
-use crate::draft::{Draft, Opening, OpeningKind, Source};
+use crate::draft::{Draft, Opening, OpeningKind, Room, Source};
 use crate::furnish::kinds::{self, Kind};
 use crate::furnish::stand::{counts_as, group};
 use crate::names::Names;
@@ -21,6 +21,8 @@ use rows::{Cell, Rect};
 
 /// More rooms than these are placed one by one.
 const MOST: usize = 14;
+/// A living room in which one eats, too, is so much larger (square metres).
+const EATING: f64 = 4.0;
 /// A kitchen of a home has a wall so long (metres): a stove, a sink, a counter and a fridge stand at it.
 const RUN: f64 = 4.0;
 /// Beyond the foot of a bed for two, and beside it with its nightstands, so much is free or a wall of cupboards (metres).
@@ -66,7 +68,7 @@ fn passage(kind: &str) -> usize {
             "gallery",
         ],
         &["dining room"],
-        &["kitchen", "break room", "conservatory"],
+        &["kitchen", "corner kitchen", "bay kitchen", "break room", "conservatory"],
     ];
     BEST.iter().position(|kinds| kinds.contains(&kind)).unwrap_or(BEST.len())
 }
@@ -180,7 +182,8 @@ fn plan(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> O
 
 /// The rooms that may lead to a balcony, the best first: the one that is said to, or else where people sit, eat and sleep.
 fn leading(brief: &Brief, inner: &[usize], said: Option<usize>) -> Vec<usize> {
-    const SITS: [&str; 5] = ["living room", "studio apartment", "dining room", "bedroom", "kitchen"];
+    const SITS: [&str; 7] =
+        ["living room", "studio apartment", "dining room", "bedroom", "kitchen", "corner kitchen", "bay kitchen"];
     if let Some(said) = said {
         return vec![said];
     }
@@ -240,10 +243,10 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
             let area = area.max(side * (w + BESIDE));
             ([area, most.max(1.15 * area)], side)
         });
-        let wet = is(room, &["kitchen", "bathroom", "public toilets", "laundry room"]);
+        let wet = is(room, &["kitchen", "corner kitchen", "bay kitchen", "bathroom", "public toilets", "laundry room"]);
         let widest = draft.things.iter().filter(|thing| thing.room == Some(room));
         let widest = widest.filter_map(|thing| thing.size).map(|size| size[0].max(size[2])).fold(0.0, f64::max);
-        let kitchen = is(room, &["kitchen"]);
+        let kitchen = is(room, &["kitchen", "corner kitchen", "bay kitchen"]);
         let long = if kitchen && home { RUN } else { side };
         let mut with = links.iter().filter(|(a, b)| *a == room || *b == room);
         let own = match (with.next(), with.next()) {
@@ -286,6 +289,9 @@ fn at_home(
     let more =
         more.filter(|thing| matches!(thing.source, Source::Stated(_)) && !own(&thing.category.replace('_', " ")));
     let more: f64 = more.filter_map(|thing| thing.size).map(|[w, _, d]| w * (d + USE)).sum();
+    let dines = |room: &Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
+    let eats = kind.eat.is_some() && !draft.rooms.iter().any(dines);
+    let more = more + if eats { EATING } else { 0.0 };
     let area = (area * said).max(needed) + more;
     ([area, (most * said).max(area * 1.15)], side * said.clamp(0.85, 1.3).sqrt())
 }

@@ -34,21 +34,24 @@ impl Reader<'_> {
             self.join(&[owner], &[id], Join::Usual);
             return k + 2;
         }
-        let Some(np) = self.np(k, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
-        let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[k].at.start].is("per") {
+        // "two beds and a chair for each"
+        let is_for = is_for && self.np(k + 1, end).is_some_and(|np| np.kind == Kind::Pronoun);
+        let of = k + usize::from(is_for);
+        let Some(np) = self.np(of, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
+        let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[of].at.start].is("per") {
             self.find(np)
         } else {
-            let ends = matches!(self.piece(k + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+            let ends = matches!(self.piece(of + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
             let many = |o: &&usize| **o != id && self.brief.things[**o].number.many();
             let lists = || group.iter().rev().chain(self.main.iter()).chain(self.before.iter());
             let each = np.kind == Kind::Pronoun && np.words.first().is_some_and(|w| w == "each");
             if each && ends { lists().find(many).copied() } else { None }
         };
         let Some(owner) = owner.filter(|o| *o != id) else { return k };
-        self.mark(k);
+        (k..=of).for_each(|chunk| self.mark(chunk));
         self.multiply(&[id], owner);
         self.join(&[owner], &[id], Join::Usual);
-        k + 1
+        of + 1
     }
 
     /// Looks, sizes and parts right after a noun: "(white, 2 m wide)", "of dark cedar", "in yellow steel", "with armrests".
