@@ -71,6 +71,32 @@ pub(super) fn iv_stand(a: &Ask) -> Model {
     m
 }
 
+/// A screen on a pole that stands beside a bed.
+pub(super) fn patient_monitor(a: &Ask) -> Model {
+    let mut m = Model::default();
+    let b = a.whole();
+    let body = a.main(stuff::PLASTIC);
+    let foot = 0.06_f64.min(0.1 * a.h);
+    let lower = if a.h > 0.6 { 0.74 * a.h } else { foot };
+    m.rounded(b.y(0.0..foot), 0.02, &stuff::GRAY_PLASTIC.surface());
+    if lower > foot {
+        let r = 0.018_f64.min(0.1 * a.w).min(0.1 * a.d);
+        m.drum(block(-r..r, foot..lower, -r..r), &stuff::STEEL.surface());
+        // What is plugged in is kept in a basket.
+        m.board(b.share(0.2..0.8, 0.3..0.4, 0.2..0.7), &stuff::STEEL.surface());
+    }
+    let skin = 0.02 * a.d;
+    let head = b.y(lower..a.h).z(-0.2 * a.d..0.3 * a.d);
+    m.board(head.z(head.min.z..head.max.z - skin), &body);
+    let face = head.share(0.06..0.94, 0.1..0.94, 0.0..1.0).z(head.max.z - skin..head.max.z);
+    m.mesh.board(face, &stuff::SCREEN.surface());
+    for (row, color) in [(0.72, stuff::GREEN_LIGHT), (0.48, stuff::RED), (0.24, stuff::WARM)] {
+        let line = face.share(0.08..0.6, row..row + 0.05, 1.0..1.0).z(face.max.z..face.max.z + 0.3 * skin);
+        m.mesh.board(line, &color.surface());
+    }
+    m
+}
+
 /// Two frames with bars between them, cloths over some of the bars.
 pub(super) fn drying_rack(a: &Ask) -> Model {
     let mut m = Model::default();

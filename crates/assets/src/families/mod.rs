@@ -84,6 +84,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("cart", robots::cart),
     ("ceiling_light", lighting::ceiling_light),
     ("camera_tripod", studio::camera_tripod),
+    ("patient_monitor", care::patient_monitor),
     ("rowing_machine", sport::rowing_machine),
     ("sauna", play::sauna),
     ("sauna_heater", play::sauna_heater),

@@ -15,6 +15,9 @@ pub fn counted(brief: &mut Brief) {
     }
 }
 
+/// Tables at which nobody sits with others.
+const FOR_ONE: [&str; 9] =
+    ["dressing", "vanity", "makeup", "changing", "coffee", "side", "console", "bedside", "ironing"];
 /// So many sit at an island.
 const AT_ISLAND: usize = 3;
 
@@ -31,8 +34,9 @@ pub fn seats(brief: &mut Brief) {
         let kind = brief.rooms.get(i.room).and_then(|room| kinds::of(&room.name));
         kind.is_none_or(|kind| kinds::seats_all(kind, &i.name()))
     };
-    // A couple does not sit at the desk of its bedroom.
-    let works = |i: &Thing| i.places.is_none() && i.words.last().is_some_and(|word| word == "desk");
+    // A couple does not sit at the desk of its bedroom, nor at its dressing table.
+    let for_one = |i: &Thing| i.words.iter().any(|word| FOR_ONE.contains(&word.as_str()));
+    let works = |i: &Thing| i.places.is_none() && (i.words.last().is_some_and(|word| word == "desk") || for_one(i));
     let sits = |i: &Thing| i.group == Group::Table && one(i) && open(i) && seats_all(i) && !works(i);
     let why = format!("{people} people sit there");
     let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");

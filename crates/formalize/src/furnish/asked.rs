@@ -11,7 +11,7 @@ use super::rows::{is_desk, rows};
 use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from};
 use super::{facing, groups, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
-use crate::draft::Demand;
+use crate::draft::{Demand, OpeningKind, Thing};
 use std::cell::{Cell, RefCell};
 
 /// So many counters stand near the door.
@@ -20,6 +20,8 @@ const SERVED: usize = 4;
 const APART: f64 = 0.8;
 /// Before this an island stands.
 const COUNTER: &str = "kitchen counter";
+/// The width of a desk for two (metres).
+const FOR_TWO: f64 = 1.9;
 /// What stands free with its seats is at least so far from others, if the room may be larger (metres).
 const CLOSE: f64 = 0.45;
 /// What stands or leads along a wall.
@@ -55,6 +57,12 @@ pub fn rounded(plan: &mut Plan, brief: &Brief) {
     }
 }
 
+/// Whether two people work at a desk.
+pub(super) fn is_shared(thing: &Thing) -> bool {
+    let features = &thing.look.features;
+    is_desk(&thing.category.replace('_', " ")) && thing.count == 1 && features.iter().any(|f| f == "shared" || f == "double")
+}
+
 /// Tables that are asked for are as long as the seats need that are asked for and go with them.
 pub fn lengthened(plan: &mut Plan, brief: &Brief) {
     for at in 0..plan.draft.things.len() {
@@ -69,6 +77,12 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
             && let Some(size) = plan.draft.things[at].size.as_mut()
         {
             size[0] = size[0].max(counter);
+        }
+        if !sized
+            && is_shared(&plan.draft.things[at])
+            && let Some(size) = plan.draft.things[at].size.as_mut()
+        {
+            size[0] = size[0].max(FOR_TWO);
         }
         let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
@@ -113,7 +127,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // A kitchen is no counter at which guests are served.
     let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
     let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line));
-    let line = lines.find(|line| stand::counts_as(line.noun, &noun)).or_else(|| received(&noun));
+    let line = lines.find(|line| stand::counts_as(line.noun, &noun)).or_else(|| received(plan, &noun));
     let own = line.map(|line| &line.place);
     let is_table = stand::group(&it.category) == Group::Table;
     let in_rows = match own {
@@ -187,10 +201,12 @@ fn is_parked(noun: &str) -> bool {
     noun == "bike" || PARKED.iter().any(|end| noun.ends_with(end))
 }
 
-/// A desk at which visitors are received stands as in a reception, in rooms that usually have none.
-fn received(noun: &str) -> Option<&'static Line> {
+/// A desk or a counter at which visitors are received stands as in a reception, in rooms that usually have none.
+fn received(plan: &Plan, noun: &str) -> Option<&'static Line> {
+    const COUNTERS: [&str; 4] = ["counter", "service counter", "shop counter", "customer counter"];
     let desk = noun.ends_with("reception desk") || noun.ends_with("front desk");
-    kinds::of("reception").filter(|_| desk)?.lines.iter().find(|line| line.noun == "reception desk")
+    let counter = COUNTERS.contains(&noun) && plan.kind.home.is_none();
+    kinds::of("reception").filter(|_| desk || counter)?.lines.iter().find(|line| line.noun == "reception desk")
 }
 
 /// How things of a kind stand in a room.
@@ -253,10 +269,12 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         looks_at: like.looks_at.or_else(|| watched_from(plan).or_else(between).filter(|_| fire)),
         strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
-        near: near_to(plan, if it.category.ends_with("island") { COUNTER } else { like.by }),
+        near: at_window(plan, &it.name)
+            .or_else(|| near_to(plan, if it.category.ends_with("island") { COUNTER } else { like.by })),
         beds: &[],
         watched: is_watched_room(plan),
         dines: plan.dines(),
+        taught: plan.is_taught(),
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
     let turn = [island_turn(plan)];
@@ -357,6 +375,16 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     // So does a table whose chairs meet those of a desk.
     plan.lacking += usize::from(!placed || is_scattered || is_close.get());
     placed
+}
+
+/// The window that a thing is said to stand at.
+fn at_window(plan: &Plan, name: &str) -> Option<Pose> {
+    let windows = plan.draft.openings.iter().filter(|o| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room));
+    let is_near = |window: &str| {
+        let said = format!("near({name}, {window}");
+        plan.draft.statements.iter().any(|s| s.text.starts_with(&said))
+    };
+    windows.filter(|o| is_near(&o.name)).find_map(|o| plan.place_in_room(&o.name))
 }
 
 /// How an island is turned: who sits there has the kitchen before the eyes.

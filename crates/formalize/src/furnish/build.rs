@@ -119,8 +119,10 @@ impl Building {
         }
         let bed = nouns::ending(noun).is_some() && noun.ends_with("bed") && d > 1.8;
         if bed && (w >= 1.2 || noun.ends_with("hospital bed")) {
+            // Who nurses stands at the head, too.
+            let head = if noun.ends_with("hospital bed") { 0.0 } else { 0.6 };
             for side in [-1.0, 1.0] {
-                keep(side * (w + BESIDE_BED) / 2.0, 0.3, [BESIDE_BED, 0.9, d - 0.6]);
+                keep(side * (w + BESIDE_BED) / 2.0, head / 2.0, [BESIDE_BED, 0.9, d - head]);
             }
         } else if TREATED.iter().any(|end| noun.ends_with(end)) {
             // One works at both sides of who lies there.
@@ -377,18 +379,24 @@ impl Plan<'_> {
     /// What was said of seats for people before their table had a place, and may be at odds with it, is said no more.
     fn settle(&mut self) {
         let names: Vec<String> = self.claimed.iter().map(|i| self.draft.things[*i].name.clone()).collect();
+        let is_mirror = |name: &str| {
+            self.claimed.iter().any(|i| {
+                let it = &self.draft.things[*i];
+                it.category.ends_with("mirror") && it.name == name
+            })
+        };
+        let mirrors: Vec<String> = names.iter().filter(|name| is_mirror(name)).cloned().collect();
         let screens = self.claimed.iter().map(|i| &self.draft.things[*i]);
         let screens: Vec<String> = screens
             .filter(|it| stand::group(&it.category) == crate::brief::Group::Screen)
             .map(|it| it.name.clone())
             .collect();
         self.draft.statements.retain(|s| {
-            // What stands on its stand does not hang on a wall.
-            let hung = s.text.contains("wallMounted(") || s.text.starts_with("prefer") && s.text.contains(".bottom");
-            if hung
-                && !matches!(s.source, Source::Stated(_))
-                && words(&s.text).iter().any(|w| screens.iter().any(|n| n == w))
-            {
+            // What stands on its stand does not hang on a wall; a mirror hangs above what it goes with.
+            let raised = s.text.starts_with("prefer") && s.text.contains(".bottom");
+            let hung = s.text.contains("wallMounted(") || raised;
+            let of = |names: &[String]| words(&s.text).iter().any(|w| names.iter().any(|n| n == w));
+            if !matches!(s.source, Source::Stated(_)) && (hung && of(&screens) || raised && of(&mirrors)) {
                 return false;
             }
             let turns = s.text.starts_with("prefer") || s.text.contains("looksAt(") || s.text.contains("around(");

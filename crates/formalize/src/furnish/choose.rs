@@ -27,6 +27,8 @@ pub struct Choice<'a> {
     pub watched: bool,
     /// Whether one eats in the room, too: the sofa leaves the middle.
     pub dines: bool,
+    /// Whether all look to the back of the room, where nobody reads for pleasure.
+    pub taught: bool,
 }
 
 /// The part of a room for those who work behind a counter.
@@ -42,6 +44,8 @@ pub enum Staff {
 const TOGETHER: f64 = 0.35;
 /// From the door to the middle of a counter, and of a stand for one person (metres).
 const SERVED: [f64; 2] = [2.6, 1.3];
+/// From a counter in mid-room to the wall that it looks at (metres).
+const BEFORE_SERVED: f64 = 2.4;
 /// What stands on its own has at least so much beside it, where there is a choice (metres).
 const ALONE: f64 = 0.3;
 /// A screen is over the head of a bed whose middle is no farther from it along the wall, and into the room (metres).
@@ -262,7 +266,11 @@ impl Choice<'_> {
                 cost += 2.0;
             }
             // Mirrors of a studio make one wall.
-            let apart = if self.is(&["gym mirror"]) { 2.0 } else { 0.5 };
+            let is_mirror = self.is(&["gym mirror"]);
+            if let Some(last) = before.last().filter(|_| is_mirror) {
+                cost += ((last.x - pose.x).hypot(last.z - pose.z) - self.size[0]).abs() * 3.0;
+            }
+            let apart = if is_mirror { 2.0 } else { 0.5 };
             cost += before.iter().filter(|other| other.yaw != pose.yaw).count() as f64 * apart;
             Some(cost)
         };
@@ -284,7 +292,9 @@ impl Choice<'_> {
                 return None;
             }
             let lit = Wall::behind(pose).is_some_and(|wall| free == 0.0 && self.windows.contains(&wall));
-            Some((away - served).abs() + free + if lit { 0.5 } else { 0.0 })
+            // Who serves has the room before the eyes, and not a wall.
+            let wall = if free > 0.0 { (BEFORE_SERVED - floor.wall_ahead(pose)).max(0.0) } else { 0.0 };
+            Some((away - served).abs() + free + wall + if lit { 0.5 } else { 0.0 })
         };
         let mut best: Option<(f64, Pose)> = None;
         for (pose, free) in places {
@@ -337,6 +347,7 @@ impl Choice<'_> {
                 Wall::Left => pose.x < 0.0,
                 Wall::Right => pose.x > 0.0,
             });
+            let front = front + if self.taught && pose.z > 0.0 && stand::is_easy(self.noun) { 1.5 } else { 0.0 };
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
             // Behind a door nothing is seen but what one leaves there.
             let door = match self.noun.starts_with("shopping") {

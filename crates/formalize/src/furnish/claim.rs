@@ -146,7 +146,9 @@ impl Plan<'_> {
             && (matches!(it.source, Source::Stated(_)) || for_people(&it.source) || encloses(&it.source))
             && !self.claimed.contains(&at)
             && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
-            && (stand::on_floor(self.draft, it) || matches!(stand::group(&it.category), Group::Screen | Group::Flat))
+            && (stand::on_floor(self.draft, it)
+                || matches!(stand::group(&it.category), Group::Screen | Group::Flat)
+                || it.category.ends_with("mirror"))
             && !is_drawn_up(self.draft, &it.name)
             && !stand::placed_without(self.draft, &it.name, anchor)
     }
@@ -160,6 +162,7 @@ impl Plan<'_> {
             let spread = around && s.demand == Demand::Prefer;
             calls(&s.text).iter().all(|call| match *call {
                 "near" | "looksAt" | "facing" | "onFloor" => true,
+                "inside" => s.text.contains(&format!(", {})", self.draft.rooms[self.room].name)),
                 "around" => around,
                 "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),
                 "behind" => spread || matches!(part.at, Where::Enclose(..)),
@@ -287,13 +290,14 @@ fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
     }
 }
 
-/// Whether a part stands on the floor beside what it goes with, or is a television on its stand.
+/// Whether a part stands on the floor beside what it goes with, or is a television on its stand or a mirror above it.
 fn is_claimed(part: &Part) -> bool {
-    use Where::{Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top, Under};
+    use Where::{Above, Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top, Under};
     match part.at {
         Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | RowBehind(..) => true,
         Around(..) | LongSides(..) | Under(..) => true,
         Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
+        Above(..) => part.noun == "mirror",
         _ => false,
     }
 }

@@ -274,6 +274,17 @@ impl Floor {
         self.doors.iter().map(|[x, z]| (pose.x - x).hypot(pose.z - z)).fold(f64::INFINITY, f64::min)
     }
 
+    /// How far the wall is before a place, straight ahead.
+    pub fn wall_ahead(&self, pose: &Pose) -> f64 {
+        let [w, _, d] = self.size;
+        match (pose.yaw / 90.0).round() as i64 % 4 {
+            0 => d / 2.0 - pose.z,
+            1 => w / 2.0 - pose.x,
+            2 => d / 2.0 + pose.z,
+            _ => w / 2.0 + pose.x,
+        }
+    }
+
     /// How far the nearest door is before a place, straight ahead.
     pub fn door_ahead(&self, pose: &Pose) -> f64 {
         let (sin, cos) = pose.yaw.to_radians().sin_cos();

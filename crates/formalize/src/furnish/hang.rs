@@ -72,6 +72,7 @@ pub fn up(plan: &mut Plan, at: usize) {
         beds: &[],
         watched: false,
         dines: false,
+        taught: false,
     };
     let own = line.filter(|line| it.count == 1 && matches!(line.place, Place::Back(_) | Place::Front(_)));
     let own = own.map(|line| (line, nominal(plan, line, size, y)));

@@ -282,6 +282,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         beds: &beds,
         watched: is_watched_room(plan),
         dines: plan.dines(),
+        taught: plan.is_taught(),
     };
     // Either side of a pair that faces each other will do.
     let behind = Choice { looks_at: aside.map(|at| Pose { yaw: (at.yaw + 180.0) % 360.0, ..at }), ..choice };

@@ -206,6 +206,16 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     }
     let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()));
     let least = (many && thing.part.is_none()).then_some(MANY);
+    // "High tables" in a bar: as many as its people need, whatever they are called.
+    let eats = |line: &&kinds::Line| {
+        matches!(line.count, kinds::Count::People(_))
+            && stand::group(line.noun) == Group::Table
+            && line.noun.ends_with("table")
+    };
+    let own = own.or_else(|| {
+        let is_table = plural && thing.group == Group::Table && thing.name().ends_with("table");
+        kind.lines.iter().find(eats).filter(|_| is_table && thing.name() != "coffee table")
+    });
     let usual = own.and_then(|line| usual_number(brief, at, kind, line, plural));
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
 }
@@ -226,9 +236,13 @@ fn usual_number(brief: &Brief, at: usize, kind: &kinds::Kind, line: &kinds::Line
         kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
         // "Reading tables for twelve".
         kinds::Count::People(each) if plural && thing.group == Group::Table => {
-            Some((brief.rooms.get(thing.room)?.people? as f64 / each).ceil().max(2.0) as usize)
+            let people = brief.rooms.get(thing.room)?.people;
+            // Nobody says how many eat there: as many as usual.
+            let eats = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Before(_, 180.0)));
+            let people = people.map(|n| n as f64).or(Some(kind.people).filter(|_| eats))?;
+            Some((people / each).ceil().max(2.0) as usize)
         }
-        kinds::Count::Area(each) if rows || plural && line.place == kinds::Place::Run => {
+        kinds::Count::Area(each) if rows || plural && matches!(line.place, kinds::Place::Run | kinds::Place::Wall) => {
             Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize)
         }
         // "A church with pews": as many as its people need.

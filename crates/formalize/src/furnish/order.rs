@@ -36,8 +36,9 @@ impl Order {
     pub fn of(plan: &Plan, asked: Vec<usize>) -> Self {
         type Both = (Vec<usize>, Vec<usize>);
         let (small, asked): Both = asked.into_iter().partition(|at| tops::waits(plan, *at));
-        let (with_asked, asked): Both = asked.into_iter().partition(|at| plan.waits_for_asked(*at));
-        let (waiting, asked): Both = asked.into_iter().partition(|at| plan.waits_for_inventory(*at));
+        let hangs = |at: &usize| hang::waits(plan, *at);
+        let (with_asked, asked): Both = asked.into_iter().partition(|at| plan.waits_for_asked(*at) && !hangs(at));
+        let (waiting, asked): Both = asked.into_iter().partition(|at| plan.waits_for_inventory(*at) && !hangs(at));
         let (hung, asked): Both = asked.into_iter().partition(|at| hang::waits(plan, *at));
         let (boards, hung): Both = hung.into_iter().partition(|at| hang::has_place(plan, *at));
         // One sits before a fire, on what is asked for or on the sofa of such rooms.
@@ -69,7 +70,9 @@ impl Order {
 
     /// The lines of the inventory that come before what is asked for.
     pub fn early(&self, plan: &Plan) -> Vec<&'static Line> {
-        let before_tables = if self.many_tables || self.many_seats { MATTER } else { 0 };
+        // So do shelves along all walls.
+        let is_wall = self.first.iter().any(|at| is_wall_of(plan, *at));
+        let before_tables = if self.many_tables || self.many_seats || is_wall { MATTER } else { 0 };
         let lines = plan.kind.lines.iter().enumerate();
         let early = lines.filter(|(at, line)| match line.place {
             Place::Before(_, 180.0) | Place::Service(_) => *at < before_tables,

@@ -132,6 +132,11 @@ impl<'a> Plan<'a> {
         self.kind.eat.is_some() && self.draft.rooms.len() > 1 && !self.draft.rooms.iter().any(eats)
     }
 
+    /// Whether rows of people look to the back of the room.
+    pub fn is_taught(&self) -> bool {
+        self.kind.lines.iter().any(|line| line.place == Place::Rows(true))
+    }
+
     /// Square metres.
     pub fn area(&self) -> f64 {
         let [w, _, d] = self.draft.rooms[self.room].size;
@@ -397,6 +402,10 @@ impl<'a> Plan<'a> {
         let people = self.people.filter(|_| seats_all(self.kind, &it.category.replace('_', " ")));
         let each = people.map(|people| people.div_ceil(it.count));
         match (&mut at, each) {
+            // Two sit side by side at a desk that they share.
+            (Where::Front(gap, ..), _) if stand::group(part.noun) == Group::Seat && super::asked::is_shared(it) => {
+                at = Where::Row(2, *gap);
+            }
             // Cabinets end where the worktop below them does.
             (Where::Above(..), _) => own[0] = own[0].min(of[0]),
             (Where::Under(wider, deeper, _), _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],

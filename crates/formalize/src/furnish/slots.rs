@@ -198,21 +198,46 @@ pub fn diameter(n: usize, seat: f64) -> f64 {
     (n as f64 * (seat + ELBOW + 0.1) / std::f64::consts::PI * 20.0).ceil() / 20.0
 }
 
-/// Seats at equal angles around a round or an oval table, turned to its middle.
+/// Directions in which seats at an oval table are equally far from each other, the first at one of its far ends.
+fn directions(n: usize, a: f64, b: f64) -> Vec<f64> {
+    use std::f64::consts::TAU;
+    const STEPS: usize = 720;
+    let from = if a > b { TAU / 4.0 } else { 0.0 };
+    let angle = |step: usize| from + TAU * step as f64 / STEPS as f64;
+    if (a - b).abs() < 1e-9 {
+        return (0..n).map(|i| TAU * i as f64 / n as f64).collect();
+    }
+    let at = |angle: f64| (a * angle.sin(), b * angle.cos());
+    let length = |step: usize| {
+        let ((x, z), (u, v)) = (at(angle(step)), at(angle(step + 1)));
+        (u - x).hypot(v - z)
+    };
+    let all: f64 = (0..STEPS).map(length).sum();
+    let (mut out, mut gone) = (Vec::new(), 0.0);
+    for step in 0..STEPS {
+        if out.len() < n && gone >= all * out.len() as f64 / n as f64 - 1e-9 {
+            out.push(angle(step));
+        }
+        gone += length(step);
+    }
+    out
+}
+
+/// Seats equally far from each other around a round or an oval table, turned to its edge.
 fn circle(n: usize, gap: f64, sizes: &Sizes) -> Vec<Slot> {
     let ([width, _, depth], [.., d]) = (sizes.of, sizes.own);
     let n = n.min(capacity(sizes.of, sizes.own, true));
     let round = |v: f64| (v * 1000.0).round() / 1000.0;
-    (0..n)
-        .map(|i| {
-            let angle = std::f64::consts::TAU * i as f64 / n as f64;
+    let off = gap + d / 2.0;
+    directions(n, width / 2.0 + off, depth / 2.0 + off)
+        .into_iter()
+        .map(|angle| {
             let (sin, cos) = angle.sin_cos();
             let (a, b) = (width / 2.0, depth / 2.0);
             // The edge of an oval is square to this direction.
             let (nx, nz) = (sin * b, cos * a);
             let long = nx.hypot(nz).max(1e-9);
             let (nx, nz) = (nx / long, nz / long);
-            let off = gap + d / 2.0;
             let yaw = round((nx.atan2(nz).to_degrees() + 180.0).rem_euclid(360.0)).rem_euclid(360.0);
             Slot { x: round(a * sin + nx * off), z: round(b * cos + nz * off), level: Level::Floor, yaw }
         })

@@ -233,6 +233,8 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
 
 /// What is kept free around something on a wall: so much beside it, and where one throws at it.
 pub(super) fn around_hung(noun: &str, [w, h, d]: [f64; 3], beside: f64) -> Vec<(Pose, [f64; 3])> {
+    // Mirrors of a studio make one wall.
+    let beside = if noun.ends_with("gym mirror") { 0.0 } else { beside };
     let around = (Pose { y: -1.4 * beside, ..Pose::default() }, [w + 2.0 * beside, h + 1.4 * beside, d]);
     let throw = Pose { y: -1.0, z: (d + THROW) / 2.0, ..Pose::default() };
     let thrown_at = noun.ends_with("dartboard").then_some((throw, [0.9, 1.5, THROW]));

@@ -251,9 +251,13 @@ fn that_one(tokens: &mut Vec<Token>, i: usize) -> bool {
 fn seats(tokens: &mut Vec<Token>, i: usize) -> bool {
     // "A bar and seating for twenty": for twenty.
     let goes_on = word(tokens, i) == "seating" && word(tokens, i + 1) == "for";
-    let listed = i > 1 && (matches!(word(tokens, i - 1), "and" | "with") || tokens[i - 1].is(","));
-    if goes_on && listed && super::number::count(&tokens[(i + 2).min(tokens.len())..]).is_some() {
-        put(tokens, i - 1, i + 2, &["for"]);
+    let lists = |t: &Token| t.is("and") || t.is("with") || t.is(",");
+    // "Comfortable seating", "outdoor-style seating": a word or two may say how it is.
+    let from = (1..=3).filter_map(|back| i.checked_sub(back)).find(|at| lists(&tokens[*at]));
+    let from = from.filter(|at| *at > 0 && tokens[*at + 1..i].iter().all(|t| get().noun(&t.text).is_none()));
+    let counted = super::number::count(&tokens[(i + 2).min(tokens.len())..]).is_some();
+    if let Some(from) = from.filter(|_| goes_on && counted) {
+        put(tokens, from, i + 2, &["for"]);
         return true;
     }
     let that = usize::from(matches!(word(tokens, i), "that" | "which"));
@@ -440,6 +444,7 @@ mod tests {
             ("a seating area", "a seating area"),
             ("distance desks to wall: 2 m", "distance between desks and wall : 2 m"),
             ("a cafe with a bar and seating for twenty", "a cafe with a bar for twenty"),
+            ("a cafe with a bar and comfortable seating for twenty", "a cafe with a bar for twenty"),
             ("a workshop for bicycle repair", "a bicycle repair workshop"),
             ("a room for meetings with a screen", "a meeting room with a screen"),
             ("a shop for two", "a shop for two"),
