@@ -104,11 +104,14 @@ pub(crate) fn apart(groups: &mut [Group], pieces: &[Piece]) {
     fill(groups, &before, whole);
 }
 
-/// Puts back to the box of the whole what was there, on those of its sides where nothing is left.
+/// By less than this the mesh may fall short of its box (metres).
+const SHORT: f32 = 9e-5;
+
+/// Puts back to the box of the whole what was there, on those of its sides where nothing is left near.
 fn fill(groups: &mut [Group], before: &[Vec<[f32; 3]>], (lo, hi): (Vec3, Vec3)) {
     for axis in 0..3 {
         for bound in [lo[axis] as f32, hi[axis] as f32] {
-            if groups.iter().flat_map(|g| &g.positions).any(|p| p[axis] == bound) {
+            if groups.iter().flat_map(|g| &g.positions).any(|p| (p[axis] - bound).abs() < SHORT) {
                 continue;
             }
             for (group, before) in groups.iter_mut().zip(before) {
