@@ -5,6 +5,7 @@
 
 use crate::mesh::{Group, wide};
 use scenelang_layout::Vec3;
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -93,8 +94,31 @@ pub(crate) fn apart(groups: &mut [Group], pieces: &[Piece]) {
     }
     let all = groups.iter().flat_map(|g| &g.positions).map(|p| wide(*p));
     let whole = all.fold((Vec3::repeat(f64::MAX), Vec3::repeat(f64::MIN)), |(lo, hi), p| (lo.inf(&p), hi.sup(&p)));
+    if moves.is_empty() {
+        return;
+    }
+    let before: Vec<Vec<[f32; 3]>> = groups.iter().map(|g| g.positions.clone()).collect();
     for (piece, normal, offset, steps) in moves {
         draw_back(&mut groups[pieces[piece].group], &pieces[piece].indices, (normal, offset), steps, whole);
+    }
+    fill(groups, &before, whole);
+}
+
+/// By less than this the mesh may fall short of its box (metres).
+const SHORT: f32 = 9e-5;
+
+/// Puts back to the box of the whole what was there, on those of its sides where nothing is left near.
+fn fill(groups: &mut [Group], before: &[Vec<[f32; 3]>], (lo, hi): (Vec3, Vec3)) {
+    for axis in 0..3 {
+        for bound in [lo[axis] as f32, hi[axis] as f32] {
+            if groups.iter().flat_map(|g| &g.positions).any(|p| (p[axis] - bound).abs() < SHORT) {
+                continue;
+            }
+            for (group, before) in groups.iter_mut().zip(before) {
+                let was_there = group.positions.iter_mut().zip(before).filter(|(_, old)| old[axis] == bound);
+                was_there.for_each(|(p, old)| p[axis] = old[axis]);
+            }
+        }
     }
 }
 
@@ -133,10 +157,10 @@ fn drawn_back(plane: &[&Flat]) -> Vec<(usize, Vec3, f64, u32)> {
     }
     // The smallest first; of equal ones the one that was drawn last.
     let mut order: Vec<Share<'_>> = shares.into_values().collect();
-    order.sort_by(|a, b| {
-        let equal = (a.area - b.area).abs() < 1e-3 * a.area.max(b.area);
-        if equal { b.piece.cmp(&a.piece) } else { a.area.total_cmp(&b.area) }
-    });
+    order.sort_by(|a, b| a.area.total_cmp(&b.area));
+    for equal in order.chunk_by_mut(|a, b| b.area - a.area < 1e-3 * b.area) {
+        equal.sort_by_key(|share| Reverse(share.piece));
+    }
     let mut steps: Vec<u32> = Vec::new();
     for (at, share) in order.iter().enumerate() {
         let before = order[..at].iter().zip(&steps).filter(|(other, _)| other.meets(share));

@@ -128,8 +128,9 @@ mod tests {
             ("rowing machine", "", None),
             ("treadmill", "", None),
             ("", "humidifier", Some("air_conditioner")),
-            ("red pens", "", Some("phone")),
-            ("table", "pen", None),
+            ("red pens", "", None),
+            ("table", "synthesizer", None),
+            ("", "red synthesizers", Some("device")),
             ("gizmo", "", None),
         ] {
             assert_eq!(stand_in(category, name), wanted, "{category} {name}");

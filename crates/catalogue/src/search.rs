@@ -10,6 +10,7 @@ use crate::folder::Entry;
 use rustc_hash::FxHashMap;
 use scenelang_assets::{family_of, words};
 use scenelang_layout::Vec3;
+use std::cmp::Ordering;
 
 /// How soon more of the same word counts no more.
 pub const K1: f64 = 1.2;
@@ -23,10 +24,9 @@ const EMPTY: &str = "a an and as at by for from in is it of on or some that the 
 pub struct Index {
     /// For each word, in which models it is and how often.
     postings: FxHashMap<String, Vec<(u32, u32)>>,
-    /// How many words each model has.
-    lengths: Vec<u32>,
+    /// What the length of the text of each model adds to the denominator of its scores.
+    norms: Vec<f64>,
     sizes: Vec<Option<Vec3>>,
-    mean: f64,
 }
 
 /// A model that was found.
@@ -42,20 +42,23 @@ impl Index {
     /// An index over all of these.
     pub fn of(entries: &[Entry]) -> Self {
         let mut index = Self::default();
+        let mut lengths = Vec::with_capacity(entries.len());
         for entry in entries {
             let card = &entry.card;
             // `chair.n.01` is a chair.
             let synset = card.synset.split('.').next().unwrap_or_default();
             let text = [card.category.as_str(), &card.description, synset, &card.materials.join(" ")].join(" . ");
-            index.add(terms(&text, &card.category), entry.size);
+            let terms = terms(&text, &card.category);
+            lengths.push(terms.len() as f64);
+            index.add(terms, entry.size);
         }
-        index.mean = index.lengths.iter().map(|n| f64::from(*n)).sum::<f64>() / index.lengths.len().max(1) as f64;
+        let mean = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
+        index.norms = lengths.into_iter().map(|length| K1 * (1.0 - B + B * length / mean)).collect();
         index
     }
 
     fn add(&mut self, terms: Vec<String>, size: Option<Vec3>) {
-        let own = self.lengths.len() as u32;
-        self.lengths.push(terms.len() as u32);
+        let own = self.sizes.len() as u32;
         self.sizes.push(size);
         for term in terms {
             let list = self.postings.entry(term).or_default();
@@ -68,28 +71,84 @@ impl Index {
 
     /// The models that fit best, at most so many; of equal ones, those that come first in the catalogue.
     pub fn search(&self, text: &str, wanted: Option<Vec3>, most: usize) -> Vec<Hit> {
+        self.best(text, wanted, most).0
+    }
+
+    /// The same, and for how many models the size was compared.
+    fn best(&self, text: &str, wanted: Option<Vec3>, most: usize) -> (Vec<Hit>, usize) {
+        if most == 0 {
+            return (Vec::new(), 0);
+        }
+        let (mut best, mut compared) = (Best::new(most), 0);
+        // A size only takes from a score, unless nonsense is wanted: what is no better without it needs no look.
+        let takes = wanted.is_none_or(|wanted| wanted.min() > 0.0);
+        for (entry, score) in self.scores(text).into_iter().enumerate() {
+            if score <= 0.0 || takes && score <= best.least {
+                continue;
+            }
+            let score = wanted.map_or(score, |wanted| {
+                compared += 1;
+                score * size_factor(self.sizes[entry], &wanted)
+            });
+            best.add(Hit { entry, score });
+        }
+        (best.sorted(), compared)
+    }
+
+    /// The score of each model, whatever its size.
+    fn scores(&self, text: &str) -> Vec<f64> {
         let mut asked = terms(text, text);
         asked.sort_unstable();
         asked.dedup();
-        let total = self.lengths.len() as f64;
-        let mut scores = vec![0.0; self.lengths.len()];
+        let total = self.norms.len() as f64;
+        let mut scores = vec![0.0; self.norms.len()];
         for list in asked.iter().filter_map(|term| self.postings.get(term)) {
             let with = list.len() as f64;
             let rarity = (1.0 + (total - with + 0.5) / (with + 0.5)).ln();
             for &(entry, count) in list {
-                let (often, length) = (f64::from(count), f64::from(self.lengths[entry as usize]));
-                scores[entry as usize] +=
-                    rarity * often * (K1 + 1.0) / (often + K1 * (1.0 - B + B * length / self.mean));
+                let often = f64::from(count);
+                scores[entry as usize] += rarity * often * (K1 + 1.0) / (often + self.norms[entry as usize]);
             }
         }
-        let hit = |(entry, score): (usize, f64)| Hit {
-            entry,
-            score: wanted.map_or(score, |wanted| score * size_factor(self.sizes[entry], &wanted)),
-        };
-        let mut hits: Vec<Hit> = scores.into_iter().enumerate().filter(|(_, s)| *s > 0.0).map(hit).collect();
-        hits.sort_by(|a, b| b.score.total_cmp(&a.score).then(a.entry.cmp(&b.entry)));
-        hits.truncate(most);
-        hits
+        scores
+    }
+}
+
+/// So many of the hits that were added that are best. They are added in the order of the catalogue.
+struct Best {
+    most: usize,
+    /// The best ones, and some that were added since they were last picked out.
+    hits: Vec<Hit>,
+    /// What scores no more than this and comes later is not one of them.
+    least: f64,
+}
+
+impl Best {
+    /// Hits beyond those that are wanted, before the best are picked out.
+    const SPARE: usize = 64;
+
+    fn new(most: usize) -> Self {
+        Self { most, hits: Vec::new(), least: f64::NEG_INFINITY }
+    }
+
+    fn order(a: &Hit, b: &Hit) -> Ordering {
+        b.score.total_cmp(&a.score).then(a.entry.cmp(&b.entry))
+    }
+
+    fn add(&mut self, hit: Hit) {
+        self.hits.push(hit);
+        // Picking out takes time in proportion to what there is: so it waits until half of that is new.
+        if self.hits.len() >= self.most.saturating_add(self.most.max(Self::SPARE)) {
+            self.hits.select_nth_unstable_by(self.most - 1, Self::order);
+            self.hits.truncate(self.most);
+            self.least = self.hits[self.most - 1].score;
+        }
+    }
+
+    fn sorted(mut self) -> Vec<Hit> {
+        self.hits.sort_unstable_by(Self::order);
+        self.hits.truncate(self.most);
+        self.hits
     }
 }
 
@@ -110,4 +169,80 @@ fn terms(text: &str, named: &str) -> Vec<String> {
     let mut terms: Vec<String> = words(text).into_iter().filter(says).collect();
     terms.extend(family_of(named, "").map(|family| format!("family:{family}")));
     terms
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const WORDS: [&str; 8] = ["red", "oak", "chair", "table", "lamp", "modern", "details", "low"];
+
+    /// An index of models that have some of the words, and sizes.
+    fn index(models: &[(u8, u8, Option<[f64; 3]>)]) -> Index {
+        let mut index = Index::default();
+        let mut lengths = Vec::new();
+        for (words, again, size) in models {
+            let has = |bits: u8| (0..8).filter(move |i| bits >> i & 1 == 1).map(|i| WORDS[i].to_owned());
+            let mut terms: Vec<String> = has(*words).chain(has(words & again)).collect();
+            terms.sort();
+            lengths.push(terms.len() as f64);
+            index.add(terms, size.map(Vec3::from));
+        }
+        let mean = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
+        index.norms = lengths.iter().map(|length| K1 * (1.0 - B + B * length / mean)).collect();
+        index
+    }
+
+    /// All that score anything, sorted, and then the first.
+    fn plain(index: &Index, text: &str, wanted: Option<Vec3>, most: usize) -> Vec<Hit> {
+        let scored = index.scores(text).into_iter().enumerate().filter(|(_, score)| *score > 0.0);
+        let factor = |entry: usize| wanted.map_or(1.0, |wanted| size_factor(index.sizes[entry], &wanted));
+        let mut hits: Vec<Hit> = scored.map(|(entry, score)| Hit { entry, score: score * factor(entry) }).collect();
+        hits.sort_by(Best::order);
+        hits.truncate(most);
+        hits
+    }
+
+    fn same(a: &[Hit], b: &[Hit]) -> bool {
+        let bits = |hits: &[Hit]| hits.iter().map(|h| (h.entry, h.score.to_bits())).collect::<Vec<_>>();
+        bits(a) == bits(b)
+    }
+
+    proptest! {
+        #[test]
+        fn the_best_are_the_first_of_all_sorted(
+            models in prop::collection::vec((any::<u8>(), any::<u8>(), prop::option::of([0.0..3.0, 0.1..3.0, 0.1..3.0])), 0..600),
+            asked in any::<u8>(),
+            wanted in prop::option::of([-0.1..3.0, 0.1..3.0, 0.1..3.0]),
+            most in prop_oneof![0..70usize, Just(usize::MAX)],
+        ) {
+            let index = index(&models);
+            let text = (0..8).filter(|i| asked >> i & 1 == 1).map(|i| WORDS[i]).collect::<Vec<_>>().join(" ");
+            let wanted = wanted.map(Vec3::from);
+            prop_assert!(same(&index.search(&text, wanted, most), &plain(&index, &text, wanted, most)));
+        }
+    }
+
+    #[test]
+    fn not_all_models_have_their_size_compared() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as u32
+        };
+        let models: Vec<_> = (0..50_000)
+            .map(|_| {
+                let size = [0; 3].map(|_| 0.1 + f64::from(random() % 3000) / 1000.0);
+                (random() as u8 | 0b0100_0000, random() as u8, Some(size))
+            })
+            .collect();
+        let index = index(&models);
+        let wanted = Some(Vec3::new(0.5, 0.9, 0.5));
+        for text in ["details", "modern red chair", "red oak chair table lamp modern details low"] {
+            let (hits, compared) = index.best(text, wanted, 8);
+            assert!(same(&hits, &plain(&index, text, wanted, 8)), "{text}");
+            assert!(compared <= 20_000, "{text}: {compared} of 50,000");
+        }
+    }
 }

@@ -7,13 +7,15 @@ use crate::{Pose, State};
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Layout, Vec3};
 use scenelang_verify::check::draws;
-use scenelang_verify::{Options, Scratch, Truth, Value, World};
+use scenelang_verify::{Lazy, Options, Scratch, Truth, Value, World};
 
 /// One instance that takes the place of all others, one after the other.
 pub struct Batch<'a> {
     program: &'a Program,
     state: State,
     scratch: Scratch<f64>,
+    /// By constraint: what of it need not be looked at.
+    lazy: Vec<Option<Lazy>>,
 }
 
 impl<'a> Batch<'a> {
@@ -22,7 +24,8 @@ impl<'a> Batch<'a> {
         let mut world = World::new(program, layout, options);
         // A draw out of its bounds has no value; whoever judges the layout by itself is told why.
         draws::check(program, &mut world, None, &mut Vec::new());
-        Self { program, state: State::new(world), scratch: Scratch::new() }
+        let lazy = program.constraints.iter().map(|constraint| Lazy::of(&constraint.formula, &world)).collect();
+        Self { program, state: State::new(world), scratch: Scratch::new(), lazy }
     }
 
     /// Puts an object somewhere: the middle of its bottom face (metres), and its Euler triple (degrees). Does nothing for
@@ -41,9 +44,15 @@ impl<'a> Batch<'a> {
     /// What each constraint of the program says, in its order; `None`: it cannot be judged.
     pub fn judge(&mut self) -> impl Iterator<Item = Option<Truth<f64>>> + use<'_, 'a> {
         let (program, world, scratch) = (self.program, self.state.world(), &mut self.scratch);
-        program.constraints.iter().map(move |constraint| match scratch.evaluate(&constraint.formula, world) {
-            Ok(Value::Truth(truth)) => Some(truth),
-            _ => None,
+        program.constraints.iter().zip(&self.lazy).map(move |(constraint, lazy)| {
+            let value = match lazy {
+                Some(lazy) => scratch.evaluate_lazily(&constraint.formula, lazy, world),
+                None => scratch.evaluate(&constraint.formula, world),
+            };
+            match value {
+                Ok(Value::Truth(truth)) => Some(truth),
+                _ => None,
+            }
         })
     }
 }

@@ -28,7 +28,7 @@ mod world;
 
 pub use builtins::{Declared, Slack, Surroundings, declared, gap, in_region, in_the_way, surroundings};
 pub use check::{Checked, Verdict, check};
-pub use eval::{Cause, EvalError, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
+pub use eval::{Cause, EvalError, Lazy, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;
 pub use number::{Algebra, Dual, Logic, Number};
 pub use report::{Report, exit_code};

@@ -16,7 +16,7 @@ use scenelang_layout::convex::{self, local_solid, parts_fill_box};
 use scenelang_layout::{
     Aabb, Convex, Geometry, Joint, Layout, Moving, Obb, Placement, Prism, RegionPlacement, Vec3, model, rotation,
 };
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// An instance of a program.
 #[derive(Clone, Debug)]
@@ -68,6 +68,8 @@ pub struct Body {
     /// What of it can be opened, where the parts count.
     joints: Arc<[Joint]>,
     solid: OnceLock<Vec<Convex>>,
+    /// The solid as it was elsewhere, whose memory the next one takes.
+    spare: Spare,
     aabb: OnceLock<Aabb>,
     moving: OnceLock<Vec<Moving>>,
 }
@@ -85,6 +87,7 @@ impl Body {
             surface: placement.surface.filter(|_| has_parts),
             joints,
             solid: OnceLock::new(),
+            spare: Spare::default(),
             aabb: OnceLock::new(),
             moving: OnceLock::new(),
         }
@@ -124,9 +127,14 @@ impl Body {
     /// Its solid in the world: its parts, or its box.
     pub fn solid(&self) -> &[Convex] {
         self.solid.get_or_init(|| match &self.parts {
-            Some(parts) => parts.iter().map(|part| part.moved(&self.obb.axes, &self.pos)).collect(),
+            Some(parts) => self.spare.filled(parts, &self.obb.axes, &self.pos),
             None => vec![Convex::from_box(&self.obb)],
         })
+    }
+    /// Its solid with the upright box around that, as [`convex::nearest_of`] takes it: exactly what its parts fill.
+    pub(crate) fn bounded(&self) -> (&[Convex], Aabb) {
+        let solid = self.solid();
+        (solid, if self.has_parts() { self.aabb() } else { convex::aabb(solid) })
     }
     /// The upright box around its solid.
     pub fn aabb(&self) -> Aabb {
@@ -141,13 +149,42 @@ impl Body {
         let half = scale / 2.0;
         self.obb = Obb { center: pos + axes.column(1) * half.y, axes, half };
         self.pos = pos;
-        self.solid = OnceLock::new();
+        if let (Some(old), Some(_)) = (self.solid.take(), &self.parts) {
+            self.spare.keep(old);
+        }
         self.aabb = OnceLock::new();
         self.moving = OnceLock::new();
     }
     /// The height of its lowest point.
     pub fn lowest(&self) -> f64 {
         self.aabb().min.y
+    }
+}
+
+/// Bodies that are not needed any more.
+#[derive(Debug, Default)]
+struct Spare(Mutex<Vec<Convex>>);
+
+impl Clone for Spare {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Spare {
+    fn keep(&mut self, old: Vec<Convex>) {
+        *self.0.get_mut().unwrap_or_else(PoisonError::into_inner) = old;
+    }
+    /// Parts elsewhere, in this memory.
+    fn filled(&self, parts: &[Convex], axes: &Matrix3<f64>, by: &Vec3) -> Vec<Convex> {
+        let mut solid = std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner));
+        if solid.len() != parts.len() {
+            return parts.iter().map(|part| part.moved(axes, by)).collect();
+        }
+        for (part, old) in parts.iter().zip(&mut solid) {
+            part.moved_over(old, axes, by);
+        }
+        solid
     }
 }
 

@@ -1,9 +1,11 @@
 //! The families: a name, and who draws it. Shapes are told apart inside a family by words and size.
 
 mod animals;
+mod appliances;
 mod bathroom;
 mod beds;
 mod care;
+mod carriages;
 mod cellar;
 mod curios;
 mod decor;
@@ -11,11 +13,16 @@ mod electronics;
 mod fences;
 mod fittings;
 mod food;
+mod garments;
+mod gear;
+mod gym;
+mod household;
 mod kitchen;
 mod leisure;
 mod lighting;
 mod moving;
 mod music;
+mod odds;
 mod openings;
 mod panels;
 mod percussion;
@@ -28,7 +35,9 @@ mod seating;
 mod shops;
 mod sport;
 mod sports;
+mod stationery;
 mod storage;
+mod street;
 mod strokes;
 mod studio;
 mod tables;
@@ -348,6 +357,117 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("wheelbarrow", yard::wheelbarrow),
     ("xylophone", percussion::xylophone),
     ("zither", percussion::zither),
+    ("blender", appliances::blender),
+    ("stand_mixer", appliances::stand_mixer),
+    ("rice_cooker", appliances::rice_cooker),
+    ("air_fryer", appliances::air_fryer),
+    ("bread_maker", appliances::bread_maker),
+    ("coffee_grinder", appliances::coffee_grinder),
+    ("deep_fryer", appliances::deep_fryer),
+    ("hot_plate", appliances::hot_plate),
+    ("ice_cream_machine", appliances::ice_cream_machine),
+    ("hair_dryer", appliances::hair_dryer),
+    ("hand_dryer", appliances::hand_dryer),
+    ("sewing_machine", appliances::sewing_machine),
+    ("record_player", appliances::record_player),
+    ("typewriter", appliances::typewriter),
+    ("paper_shredder", appliances::paper_shredder),
+    ("air_purifier", appliances::air_purifier),
+    ("pen", stationery::pen),
+    ("scissors", stationery::scissors),
+    ("stapler", stationery::stapler),
+    ("ruler", stationery::ruler),
+    ("key", stationery::key),
+    ("comb", stationery::comb),
+    ("sunglasses", stationery::sunglasses),
+    ("stethoscope", stationery::stethoscope),
+    ("wallet", stationery::wallet),
+    ("usb_stick", stationery::usb_stick),
+    ("soap", stationery::soap),
+    ("thermometer", stationery::thermometer),
+    ("mouse_pad", stationery::mat),
+    ("camera", gear::camera),
+    ("game_controller", gear::game_controller),
+    ("game_console", gear::game_console),
+    ("router", gear::router),
+    ("scale", gear::scale),
+    ("battery", gear::battery),
+    ("walkie_talkie", gear::walkie_talkie),
+    ("microscope", gear::microscope),
+    ("wall_switch", gear::wall_switch),
+    ("vent", gear::vent),
+    ("sprinkler", gear::sprinkler),
+    ("watch", gear::watch),
+    ("metal_detector", gear::metal_detector),
+    ("disco_ball", gear::disco_ball),
+    ("medal", gear::medal),
+    ("street_lamp", street::street_lamp),
+    ("lantern", street::lantern),
+    ("hydrant", street::hydrant),
+    ("bollard", street::bollard),
+    ("floor_sign", street::floor_sign),
+    ("parking_meter", street::parking_meter),
+    ("mailbox", street::mailbox),
+    ("goal", street::goal),
+    ("turnstile", street::turnstile),
+    ("scaffold", street::scaffold),
+    ("bike_rack", street::bike_rack),
+    ("sandbox", street::sandbox),
+    ("gazebo", street::gazebo),
+    ("walkway", street::walkway),
+    ("revolving_door", street::revolving_door),
+    ("floor_marking", street::floor_marking),
+    ("garment", garments::garment),
+    ("bag", garments::bag),
+    ("doll", garments::doll),
+    ("dress_form", garments::dress_form),
+    ("punching_bag", garments::punching_bag),
+    ("flag", garments::flag),
+    ("hook", garments::hook),
+    ("flip_chart", garments::flip_chart),
+    ("cable_machine", gym::cable_machine),
+    ("leg_press", gym::leg_press),
+    ("stepper", gym::stepper),
+    ("foosball_table", gym::foosball),
+    ("air_hockey_table", gym::air_hockey),
+    ("roulette_table", gym::roulette_table),
+    ("pinball_machine", gym::pinball),
+    ("stroller", carriages::stroller),
+    ("wagon", carriages::wagon),
+    ("mobility_scooter", carriages::mobility_scooter),
+    ("vacuum_cleaner", carriages::vacuum_cleaner),
+    ("lawn_mower", carriages::lawn_mower),
+    ("walker", carriages::walker),
+    ("humanoid", carriages::humanoid),
+    ("robot_dog", carriages::robot_dog),
+    ("rover", carriages::rover),
+    ("ct_scanner", carriages::scanner),
+    ("ultrasound", carriages::ultrasound),
+    ("x_ray_machine", carriages::x_ray),
+    ("toilet_paper", household::toilet_paper),
+    ("toilet_brush", household::toilet_brush),
+    ("bidet", household::bidet),
+    ("cake", household::cake),
+    ("wood_stove", household::wood_stove),
+    ("chaise", household::chaise),
+    ("umbrella_stand", household::umbrella_stand),
+    ("plant_stand", household::plant_stand),
+    ("watering_can", household::watering_can),
+    ("concrete_mixer", household::concrete_mixer),
+    ("hedge", household::hedge),
+    ("neon_sign", household::lit_letters),
+    ("bird_cage", odds::cage),
+    ("cutting_board", odds::cutting_board),
+    ("chess_piece", odds::chess_piece),
+    ("grater", odds::grater),
+    ("playing_card", odds::playing_card),
+    ("wall_bars", odds::wall_bars),
+    ("scoreboard", odds::scoreboard),
+    ("solar_panel", odds::solar_panel),
+    ("weight_plate", odds::weight_plate),
+    ("terrarium", odds::terrarium),
+    ("heat_lamp", odds::heat_lamp),
+    ("napkin_holder", odds::napkin_holder),
 ];
 
 /// Who draws a family.

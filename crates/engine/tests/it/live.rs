@@ -33,6 +33,8 @@ assert 1 / (chair[3].pos.x - lamp.pos.x) < 100;
 assert 1 / (chair[3].pos.x - chair[3].pos.x) < 100;
 assert leftOf(shelf, table) implies facing(chair[2], table);
 assert abs(table.pos.x - room.center.x) < 0.5;
+assert forall i in 0..4: forall j in 0..4: i < j implies gap(chair[i], chair[j]) >= 0.2;
+assert forall i in 0..4: forall j in 0..4: i >= j or not collides(chair[i], chair[j]) or gap(chair[j], box) < 1;
 allowOutside(sign);
 allowCollide(chair[2], table);
 prefer chair[3].rot.y = 90 weight 3;

@@ -49,11 +49,11 @@ struct Cloud<'a> {
 impl SupportMap for Cloud<'_> {
     fn local_support_point(&self, dir: Vector) -> Vector {
         let dir: Vec3 = dir.into();
-        let mut best = (f64::NEG_INFINITY, self.origin);
+        let mut best = (f64::NEG_INFINITY, &self.origin);
         for v in self.vertices {
             let height = v.dot(&dir);
             if height > best.0 {
-                best = (height, *v);
+                best = (height, v);
             }
         }
         (best.1 - self.origin).into()

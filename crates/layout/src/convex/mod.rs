@@ -10,7 +10,7 @@ mod solid;
 
 pub use gap::separation;
 pub use hull::MAX_HULL_POINTS;
-pub use solid::{Geometry, Nearest, aabb, local_solid, nearest, parts_fill_box, solid};
+pub use solid::{Geometry, Nearest, aabb, local_solid, nearest, nearest_of, parts_fill_box, solid};
 
 use crate::separation::{Aabb, Separation, contact, highest};
 use crate::{Obb, Part, Vec3, obb, rotation};
@@ -218,7 +218,15 @@ impl Convex {
 
     /// The same body turned by `axes` (about the origin), then moved by `by`.
     pub fn moved(&self, axes: &Matrix3<f64>, by: &Vec3) -> Self {
-        let vertices: Vec<Vec3> = self.vertices.iter().map(|v| axes * v + by).collect();
+        self.moved_in(Vec::new(), axes, by)
+    }
+    /// The same, written over a body that is not needed any more: who moves one often spares its memory.
+    pub fn moved_over(&self, old: &mut Self, axes: &Matrix3<f64>, by: &Vec3) {
+        *old = self.moved_in(std::mem::take(&mut old.vertices), axes, by);
+    }
+    fn moved_in(&self, mut vertices: Vec<Vec3>, axes: &Matrix3<f64>, by: &Vec3) -> Self {
+        vertices.clear();
+        vertices.extend(self.vertices.iter().map(|v| axes * v + by));
         Self {
             aabb: Aabb::of(vertices.iter().copied()),
             vertices,

@@ -68,16 +68,22 @@ pub struct Nearest {
 
 /// The least signed gap over pairs of parts; `None` only where a solid has no part.
 pub fn nearest(a: &[Convex], b: &[Convex]) -> Option<Nearest> {
+    nearest_of([(a, &aabb(a)), (b, &aabb(b))])
+}
+
+/// The same of solids that are given with the upright boxes around them, as [`aabb`] finds them.
+pub fn nearest_of(solids: [(&[Convex], &Aabb); 2]) -> Option<Nearest> {
+    let [(a, _), (b, _)] = solids;
     // The pair whose boxes are nearest tells which others need a look; these are few, and only they are sorted.
-    let around = aabb(b);
-    let first = nearest_boxes(a, b, &around)?;
+    let mut facing = Vec::new();
+    let first = nearest_boxes(solids, &mut facing)?;
     let of = |[i, j]: [usize; 2]| (&a[i], &b[j]);
     let look = |parts: [usize; 2]| {
         let (x, y) = of(parts);
         Nearest { separation: separation(x, y), parts }
     };
     let mut best = look(first);
-    let mut pairs = pairs_within(a, (b, &around), best.separation.gap.max(0.0));
+    let mut pairs = pairs_within(solids, best.separation.gap.max(0.0), &mut facing);
     pairs.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
     for (bound, parts) in pairs {
         if bound > best.separation.gap.max(0.0) {
@@ -95,17 +101,26 @@ pub fn nearest(a: &[Convex], b: &[Convex]) -> Option<Nearest> {
     Some(best)
 }
 
+/// Those parts, by their index, whose upright boxes are no farther from another box than the root of `most`.
+fn within(parts: &[Convex], to: &Aabb, most: f64, found: &mut Vec<usize>) {
+    found.clear();
+    found.extend((0..parts.len()).filter(|&i| parts[i].aabb().distance_squared(to) <= most));
+}
+
 /// The parts whose upright boxes are nearest to each other; the first of equals.
-fn nearest_boxes(a: &[Convex], b: &[Convex], around: &Aabb) -> Option<[usize; 2]> {
+fn nearest_boxes([(a, over), (b, around)]: [(&[Convex], &Aabb); 2], facing: &mut Vec<usize>) -> Option<[usize; 2]> {
     let mut best: Option<(f64, [usize; 2])> = None;
-    // What is farther by more than rounding is told from the squares.
-    let mut most = f64::INFINITY;
+    // The part of `a` that is nearest to all of `b` is near one of its parts: no farther is the nearest pair, which spares
+    // most others a look. What is farther by more than rounding is told from the squares.
+    let near = least(a, around)?;
+    let mut most = b.iter().map(|y| near.aabb().distance_squared(y.aabb())).fold(f64::INFINITY, f64::min) * ROUNDED;
+    within(b, over, most, facing);
     for (i, x) in a.iter().enumerate() {
         if x.aabb().distance_squared(around) > most {
             continue;
         }
-        for (j, y) in b.iter().enumerate() {
-            let squared = x.aabb().distance_squared(y.aabb());
+        for &j in facing.iter() {
+            let squared = x.aabb().distance_squared(b[j].aabb());
             if squared <= most && best.is_none_or(|(least, _)| squared.sqrt() < least) {
                 best = Some((squared.sqrt(), [i, j]));
                 most = squared * ROUNDED;
@@ -115,15 +130,32 @@ fn nearest_boxes(a: &[Convex], b: &[Convex], around: &Aabb) -> Option<[usize; 2]
     best.map(|(_, parts)| parts)
 }
 
+/// The part whose upright box is nearest to another box.
+fn least<'a>(parts: &'a [Convex], to: &Aabb) -> Option<&'a Convex> {
+    let mut best: Option<(f64, &Convex)> = None;
+    for part in parts {
+        let squared = part.aabb().distance_squared(to);
+        if best.is_none_or(|(least, _)| squared < least) {
+            best = Some((squared, part));
+        }
+    }
+    best.map(|(_, part)| part)
+}
+
 /// The pairs of parts whose upright boxes are no farther apart than `most` (metres), with how far they are.
-fn pairs_within(a: &[Convex], (b, around): (&[Convex], &Aabb), most: f64) -> Vec<(f64, [usize; 2])> {
+fn pairs_within(
+    [(a, over), (b, around)]: [(&[Convex], &Aabb); 2],
+    most: f64,
+    facing: &mut Vec<usize>,
+) -> Vec<(f64, [usize; 2])> {
     let mut pairs = Vec::new();
     let squared = most * most * ROUNDED;
+    within(b, over, squared, facing);
     for (i, x) in a.iter().enumerate().filter(|(_, x)| x.aabb().distance_squared(around) <= squared) {
-        for (j, y) in b.iter().enumerate().filter(|(_, y)| x.aabb().distance_squared(y.aabb()) <= squared) {
-            let bound = x.aabb().distance(y.aabb());
-            if bound <= most {
-                pairs.push((bound, [i, j]));
+        for &j in facing.iter() {
+            let apart = x.aabb().distance_squared(b[j].aabb());
+            if apart <= squared && apart.sqrt() <= most {
+                pairs.push((apart.sqrt(), [i, j]));
             }
         }
     }

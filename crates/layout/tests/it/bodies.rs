@@ -266,6 +266,46 @@ fn the_least_gap_of_solids_is_that_of_all_pairs() {
     assert_eq!(convex::nearest(&a, &[]), None);
 }
 
+/// Many parts far from each other and through each other: most pairs are never looked at.
+#[test]
+fn the_least_gap_of_many_parts_is_that_of_all_pairs() {
+    let mut state = 5_u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut solid = |shift: f64| -> Vec<Convex> {
+        (0..12)
+            .map(|i| {
+                let center = Vec3::new(shift + 2.0 * random(), random(), 2.0 * random());
+                let axes = rotation::matrix(Vec3::new(0.0, 360.0 * random(), 0.0));
+                let half = Vec3::new(0.02 + 0.3 * random(), 0.02 + 0.3 * random(), 0.02 + 0.3 * random());
+                if i % 4 == 0 {
+                    Convex::from_cylinder(&center, &axes, half.x, half.y)
+                } else {
+                    Convex::from_box(&Obb { center, axes, half })
+                }
+            })
+            .collect()
+    };
+    for shift in [0.0, 1.0, 2.0, 2.5, 3.0, 8.0] {
+        let (a, b) = (solid(0.0), solid(shift));
+        let all = a.iter().flat_map(|x| b.iter().map(|y| convex::separation(x, y).gap)).fold(f64::INFINITY, f64::min);
+        assert_eq!(convex::nearest(&a, &b).unwrap().separation.gap, all, "{shift}");
+    }
+}
+
+#[test]
+fn a_body_moved_over_another_is_as_if_it_were_new() {
+    let axes = rotation::matrix(Vec3::new(10.0, 20.0, 30.0));
+    let by = Vec3::new(1.0, 2.0, 3.0);
+    let body = Convex::from_cylinder(&Vec3::y(), &Matrix3::identity(), 0.4, 1.0);
+    let mut other = Convex::from_box(&Obb { center: Vec3::zeros(), axes, half: Vec3::repeat(1.0) });
+    body.moved_over(&mut other, &axes, &by);
+    assert_eq!(other, body.moved(&axes, &by));
+    assert_eq!(other.aabb(), body.moved(&axes, &by).aabb());
+}
+
 #[test]
 fn hulls_of_awkward_points() {
     let grid: Vec<Vec3> =

@@ -184,7 +184,10 @@ fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
 fn nearest_body<N: Number>(world: &World<N>, space: &Convex, own: ObjectId) -> Option<(ObjectId, Nearest)> {
     let others = || world.bodies().filter(|(id, _)| *id != own);
     let bound = |body: &Body| space.aabb().distance_squared(&body.aabb());
-    let look = |body: &Body| convex::nearest(std::slice::from_ref(space), body.solid());
+    let look = |body: &Body| {
+        let (solid, around) = body.bounded();
+        convex::nearest_of([(std::slice::from_ref(space), space.aabb()), (solid, &around)])
+    };
     // The one whose box is nearest tells which others need a look: few.
     let (first, body) = others().min_by(|(_, a), (_, b)| bound(a).total_cmp(&bound(b)))?;
     let mut best = (first, look(body)?);

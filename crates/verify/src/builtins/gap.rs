@@ -12,7 +12,7 @@ use crate::prove::unknowns::{ANY, EXACT, OUT_OF_BOX, Unknowns};
 use crate::vector::V3;
 use crate::world::{Body, Thing};
 use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
-use scenelang_layout::convex::nearest;
+use scenelang_layout::convex::nearest_of;
 use scenelang_layout::{Separation, Vec2, Vec3, obb};
 
 /// See the file.
@@ -107,7 +107,8 @@ fn separation(a: &Body, b: &Body) -> (Separation, Option<[usize; 2]>) {
     if !a.has_parts() && !b.has_parts() {
         return (obb::separation(&a.obb, &b.obb), None);
     }
-    let found = nearest(a.solid(), b.solid()).expect("a solid has at least one part");
+    let ((a, over), (b, around)) = (a.bounded(), b.bounded());
+    let found = nearest_of([(a, &over), (b, &around)]).expect("a solid has at least one part");
     (found.separation, Some(found.parts))
 }
 

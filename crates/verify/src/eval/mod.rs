@@ -7,9 +7,11 @@
 
 mod arithmetic;
 mod connective;
+mod lazy;
 mod property;
 mod value;
 
+pub use lazy::Lazy;
 pub(crate) use property::of_outline as outline;
 pub(crate) use property::of_region as rectangle;
 pub use value::{Cause, EvalError, Truth, Value};
