@@ -4,7 +4,9 @@
 //! It is the search for what must hold, with preferences among what may be violated. A preference that fails is worth its
 //! weight, and more the longer it fails, up to a bound; what must hold comes to weigh more without one, so that the search
 //! goes back and forth over its edge. Each layout in which all that must hold does is compared with the best so far
-//! (Lei, Cai: Solving (weighted) partial MaxSAT by dynamic local search for SAT, 2018).
+//! (Lei, Cai: Solving (weighted) partial MaxSAT by dynamic local search for SAT, 2018). While something that must hold does
+//! not, unmet preferences lose weight again where no move helps: otherwise a search in a crowded room stays beyond the edge
+//! for most of its steps (Gendreau, Hertz, Laporte: A tabu search heuristic for the vehicle routing problem, 1994).
 
 use super::LocalSearch;
 use super::preferences::Preference;
@@ -17,12 +19,16 @@ use scenelang_engine::limit::Limit;
 const AT_FIRST: f64 = 0.1;
 const MORE: f64 = 0.3;
 const AT_MOST: f64 = 20.0;
+/// What is left of that, each time that no move helps, while something that must hold does not.
+const YIELDS: f64 = 0.85;
 /// What a violated check gains in weight when no move helps.
 const STUBBORN: f64 = 0.5;
-/// Steps without a better layout, for each object and in all, after which the search goes on from the best one, and so
-/// many such rounds in a row are the end, at the usual quality.
+/// Steps without a better layout, for each object and in all, after which all weighs what it did at first, and so many such
+/// rounds in a row are the end, at the usual quality.
 const PATIENCE: [usize; 2] = [20, 100];
 const ROUNDS: f64 = 5.0;
+/// A round begins from the best layout once in so many times, else from where the search is, if all that must hold does there.
+const FROM_BEST: usize = 2;
 /// How many times more rounds there are for what is unmet, if that is all of the weight: the more there is to gain, the longer
 /// it is tried.
 const UNMET: f64 = 8.0;
@@ -69,7 +75,9 @@ impl LocalSearch<'_> {
             }
             if idle > patience {
                 (idle, rounds) = (0, rounds + 1);
-                self.show(&found);
+                if chance.below(FROM_BEST) == 0 || !self.is_allowed() {
+                    self.show(&found);
+                }
                 self.weigh_anew();
             }
         }
@@ -137,7 +145,7 @@ impl LocalSearch<'_> {
         check
     }
 
-    /// No move helps: what is violated comes to weigh more, preferences only where all holds that must.
+    /// No move helps: what is violated comes to weigh more, preferences only where all holds that must; else they lose weight.
     pub(super) fn insist(&mut self, chance: &mut ChaCha8Rng) {
         let optimising = !self.stake.is_empty();
         let broken = !optimising || self.trial.bad.iter().any(|&check| self.trial.is_hard(check));
@@ -145,7 +153,9 @@ impl LocalSearch<'_> {
             let check = self.trial.bad[at];
             if !optimising || self.trial.is_hard(check) {
                 self.trial.weight[check] += STUBBORN * chance.unit();
-            } else if !broken {
+            } else if broken {
+                self.trial.weight[check] = (YIELDS * self.trial.weight[check]).max(AT_FIRST * self.stake[check]);
+            } else {
                 let stake = self.stake[check];
                 self.trial.weight[check] =
                     (self.trial.weight[check] + MORE * stake * chance.unit()).min(AT_MOST * stake);
