@@ -60,7 +60,12 @@ impl Place {
 /// Whose settings and repositories count: the user's, the administrator's, and those of whoever owns the folder of the
 /// file. So a file that anybody may put into a shared folder such as `/tmp` judges nobody else's scenes, and a container
 /// can work on a folder from outside.
+#[cfg(unix)]
 struct Owners([u32; 3]);
+
+/// See above: elsewhere files have no such owners.
+#[cfg(not(unix))]
+struct Owners;
 
 #[cfg(unix)]
 impl Owners {
@@ -82,7 +87,7 @@ impl Owners {
 #[cfg(not(unix))]
 impl Owners {
     fn of(_: &Path) -> Self {
-        Self([0; 3])
+        Self
     }
 
     fn trust(&self, _: &Path) -> bool {

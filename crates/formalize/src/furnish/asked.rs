@@ -9,7 +9,7 @@ use super::kinds::{self, Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
 use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from};
-use super::{facing, groups, place, slots, stacks, stand, twin};
+use super::{facing, groups, order, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::{Demand, OpeningKind, Thing};
 use std::cell::{Cell, RefCell};
@@ -270,7 +270,11 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
         near: at_window(plan, &it.name)
-            .or_else(|| near_to(plan, if it.category.ends_with("island") { COUNTER } else { like.by })),
+            .or_else(|| match it.category.as_str() {
+                order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
+                category if category.ends_with("island") => near_to(plan, COUNTER),
+                _ => near_to(plan, like.by),
+            }),
         beds: &[],
         watched: is_watched_room(plan),
         dines: plan.dines(),
@@ -362,6 +366,14 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
             format!("prefer inCorner({}, {});", it.name, plan.room_name()),
             "it usually stands there in such a room",
         );
+    }
+    // What such rooms have at a place of its own is rather kept there.
+    let own_place = like.line.filter(|_| placed && it.count == 1 && !received);
+    if let (Some(line), Some(at)) = (own_place, plan.place_in_room(&it.name)) {
+        if matches!(line.place, Place::Before(..) | Place::Back(_) | Place::Front(_)) && at.y == 0.0 {
+            let text = place::absolute(&it.name, &plan.room_name(), [at.x, at.y, at.z], at.yaw);
+            plan.say(format!("prefer {text};"), "it usually stands there in such a room");
+        }
     }
     if let Some(at) = plan.place_in_room(&it.name).filter(|_| placed && received && !plan.is_placed(thing)) {
         let text = format!("assert {};", place::absolute(&it.name, &plan.room_name(), [at.x, at.y, at.z], at.yaw));

@@ -109,6 +109,25 @@ pub struct Shape {
     pub free: Vec<(Pose, [f64; 3])>,
 }
 
+/// So many seats around a table hide it: one gets to them.
+const RING: usize = 6;
+
+impl Shape {
+    /// The box around the seats that stand all around the first thing.
+    fn ring(&self, at: &Pose) -> Option<Block> {
+        let first = self.pieces.first()?.thing;
+        let seats = |piece: &&Piece| piece.thing != first && !piece.flat && piece.at.y < LOW;
+        let one = self.pieces.iter().find(seats)?.thing;
+        let own = self.pieces.iter().filter(|piece| piece.thing == one && !piece.flat);
+        let blocks: Vec<Block> = own.map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();
+        let around = |a: Block, b: Block| Block {
+            low: [0, 1, 2].map(|k| a.low[k].min(b.low[k])),
+            high: [0, 1, 2].map(|k| a.high[k].max(b.high[k])),
+        };
+        (blocks.len() >= RING).then(|| blocks.into_iter().reduce(around)).flatten()
+    }
+}
+
 /// What is taken in a room.
 #[derive(Clone, Debug)]
 pub struct Floor {
@@ -264,7 +283,7 @@ impl Floor {
         {
             let block = Block::of(&at.then(&first.at), first.size);
             if block.low[1] < 0.5 {
-                self.goals.push(block);
+                self.goals.push(shape.ring(at).unwrap_or(block));
             }
         }
     }

@@ -8,6 +8,8 @@ use super::room::{MATTER, tables};
 use super::{hang, stand, tops};
 use crate::brief::Group;
 
+/// What children play on.
+pub(super) const PLAY_MAT: &str = "play_mat";
 /// More seats than this are for guests.
 const WAITING: usize = 3;
 
@@ -45,8 +47,9 @@ impl Order {
         let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
         let (fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
-        // A wall of books takes the longest wall.
-        first.sort_by_key(|at| !is_wall_of(plan, *at));
+        // A wall of books takes the longest wall; a mat to play on lies near the toys.
+        let plays = |at: &usize| plan.draft.things[*at].category == PLAY_MAT;
+        first.sort_by_key(|at| (plays(at), !is_wall_of(plan, *at)));
         let many = |at: &usize| {
             let thing = &plan.draft.things[*at];
             thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
