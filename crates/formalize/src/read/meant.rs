@@ -2,7 +2,7 @@
 
 use super::number;
 use super::paraphrase::{put, word};
-use super::token::Token;
+use super::token::{Kind, Token};
 use crate::furnish::kinds;
 
 /// "A bookshelf wall", "a wall of books": three bookshelves side by side; so are mirrors.
@@ -98,6 +98,35 @@ pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     put(tokens, i, i + 2, &["a", "bar", "counter", "and", "six", "bar", "stools"]);
+    true
+}
+
+/// "An office with four teams of four and a kitchenette": for sixteen people, with a kitchenette.
+pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const MOST: f64 = 60.0;
+    if !matches!(word(tokens, i), "with" | "for" | "has") {
+        return false;
+    }
+    let counted = |from: usize| number::count(tokens.get(from..).unwrap_or_default());
+    let Some((teams, used)) = counted(i + 1) else { return false };
+    let of = i + 1 + used;
+    if word(tokens, of) != "teams" || word(tokens, of + 1) != "of" {
+        return false;
+    }
+    let Some((each, more)) = counted(of + 2) else { return false };
+    let people = teams * each;
+    if people.fract() != 0.0 || people > MOST {
+        return false;
+    }
+    let end = of + 2 + more;
+    let end = end + usize::from(matches!(word(tokens, end), "people" | "persons"));
+    if word(tokens, end) == "and" {
+        put(tokens, end, end + 1, &["with"]);
+    }
+    put(tokens, i, end, &["for", "people"]);
+    let at = tokens[i].at.clone();
+    let number = Token { kind: Kind::Number(people), text: people.to_string(), at, owner: false, capital: false };
+    tokens.insert(i + 1, number);
     true
 }
 
@@ -197,6 +226,9 @@ mod tests {
             ("a lounge with a full bookshelf wall and a lamp", "a lounge with three bookshelves and a lamp"),
             ("a wall of stone", "a wall of stone"),
             ("a three-bedroom family house", "a three-bedroom house"),
+            ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
+            ("an office for two teams of six people", "an office for 12 people"),
+            ("a room with two teams", "a room with two teams"),
             ("a law office with a reception and two desks", "a law office with a reception desk and two desks"),
             ("a studio with a mirrored wall", "a studio with three gym mirrors"),
             ("a garage for two cars with a workbench", "a garage with two cars and a workbench"),

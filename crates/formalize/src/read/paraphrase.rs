@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 26] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 27] = [
             apart,
             together,
             each_other,
@@ -35,6 +35,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::covers,
             meant::seating,
             meant::family,
+            meant::teams,
             meant::reception,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);
