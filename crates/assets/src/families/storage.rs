@@ -529,6 +529,7 @@ pub(super) fn clothes_rack(a: &Ask) -> Model {
 fn loaded_pallet(m: &mut Model, place: Block, full: f64, paper: u32) {
     let size = place.size();
     let wood = 0.14_f64.min(0.3 * size.y);
+    m.solid(place.y(place.min.y..place.min.y + wood));
     let deck = place.y(place.min.y + 0.75 * wood..place.min.y + wood);
     m.mesh.board(deck, &stuff::BIRCH.surface());
     for skid in place.y(place.min.y..place.min.y + 0.75 * wood).split(0, 3, 0.3 * size.x) {

@@ -8,7 +8,9 @@ use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
 use super::kinds::{self, Line, Place, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
-use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from};
+use super::spots::{
+    free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from,
+};
 use super::{facing, groups, order, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::{Demand, OpeningKind, Thing};
@@ -60,7 +62,9 @@ pub fn rounded(plan: &mut Plan, brief: &Brief) {
 /// Whether two people work at a desk.
 pub(super) fn is_shared(thing: &Thing) -> bool {
     let features = &thing.look.features;
-    is_desk(&thing.category.replace('_', " ")) && thing.count == 1 && features.iter().any(|f| f == "shared" || f == "double")
+    is_desk(&thing.category.replace('_', " "))
+        && thing.count == 1
+        && features.iter().any(|f| f == "shared" || f == "double")
 }
 
 /// Tables that are asked for are as long as the seats need that are asked for and go with them.
@@ -158,7 +162,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
-    let apart = (it.count == 1 || groups::is_visited(&noun, plan.kind.dress)) && matches!(own, Some(Place::Floor | Place::Middle));
+    let apart = (it.count == 1 || groups::is_visited(&noun, plan.kind.dress))
+        && matches!(own, Some(Place::Floor | Place::Middle));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
     // A car stands in line with the gate, and so does what lifts it.
@@ -187,7 +192,14 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // What is watched stands across from where one sits.
     let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));
     let looks_at = watched.and_then(|line| opposite_of(plan, line)).and_then(|name| plan.place_in_room(&name));
-    let like = Like { line: own_place, at_wall: has_back || at_wall_like, in_run, aside, looks_at, by: line.map_or("", |line| line.by) };
+    let like = Like {
+        line: own_place,
+        at_wall: has_back || at_wall_like,
+        in_run,
+        aside,
+        looks_at,
+        by: line.map_or("", |line| line.by),
+    };
     // A mat has a place of its own, on which nothing stands.
     let is_mat = stand::group(&noun) == Group::Flat && noun.ends_with("mat") && !plan.is_placed(thing);
     if !(plan.ground.is_some() && (is_on_floor || is_mat) && give_place(plan, thing, wall, &like)) {
@@ -269,12 +281,11 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         looks_at: like.looks_at.or_else(|| watched_from(plan).or_else(between).filter(|_| fire)),
         strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
-        near: at_window(plan, &it.name)
-            .or_else(|| match it.category.as_str() {
-                order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
-                category if category.ends_with("island") => near_to(plan, COUNTER),
-                _ => near_to(plan, like.by),
-            }),
+        near: at_window(plan, &it.name).or_else(|| match it.category.as_str() {
+            order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
+            category if category.ends_with("island") => near_to(plan, COUNTER),
+            _ => near_to(plan, like.by),
+        }),
         beds: &[],
         watched: is_watched_room(plan),
         dines: plan.dines(),
@@ -356,8 +367,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: around, whole: false, seek: &seek };
     let placed = plan.place_asked(thing, &root);
     if placed && it.count > 1 && noun.starts_with("checkout") {
-        let tills: Vec<Pose> =
-            (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
+        let tills: Vec<Pose> = (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
         keep_exit(plan, &tills, size);
     }
     // Not in mid-room, should the search move it.

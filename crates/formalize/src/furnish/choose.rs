@@ -314,7 +314,8 @@ impl Choice<'_> {
             let half = (wall.length(floor.size) - self.size[0]) / 2.0 - BESIDE_DESK;
             let steps = (half.max(0.0) / 0.1).floor() as i32;
             let along = (-steps..=steps).map(|i| f64::from(i) * 0.1);
-            along.flat_map(move |along| BEHIND_CHAIR.map(|behind| (wall, wall.place(floor.size, along, chair + behind))))
+            along
+                .flat_map(move |along| BEHIND_CHAIR.map(|behind| (wall, wall.place(floor.size, along, chair + behind))))
         });
         let cost = |wall: Wall, at: &Pose| {
             let to_middle = if matches!(wall, Wall::Back | Wall::Front) { at.x.abs() } else { at.z.abs() };

@@ -48,8 +48,8 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
             }
             let mut other = empty.clone();
             let next = furnish_once(&mut other, brief, at, closed, (counted, first));
-            let has_first = kind_line(&draft.rooms[at].kind)
-                .is_none_or(|noun| count(&other, &noun) >= count(draft, &noun));
+            let has_first =
+                kind_line(&draft.rooms[at].kind).is_none_or(|noun| count(&other, &noun) >= count(draft, &noun));
             if next.wants() < furnished.wants() && has_first {
                 (furnished, *draft) = (next, other);
             }

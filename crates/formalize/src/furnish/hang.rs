@@ -11,9 +11,13 @@ use super::plan::{AtWall, Plan};
 use super::spots::{around_hung, near, nominal, watched_from};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::Source;
+use crate::draft::{Source, Thing};
 use crate::names::words;
 
+/// A table that is as long has its lamps over it (metres).
+const LONG: f64 = 1.5;
+/// So many lamps hang in a line over a table, or along the room.
+const LAMPS: usize = 4;
 /// The most that are hung one by one.
 const MOST: usize = 8;
 
@@ -22,7 +26,7 @@ pub fn waits(plan: &Plan, at: usize) -> bool {
     let thing = &plan.draft.things[at];
     let mounted = |text: &str| text.contains("wallMounted(") || text.contains("ceilingMounted(");
     let hangs = |text: &str| mounted(text) && words(text).contains(&thing.name.as_str());
-    let from_ceiling = stand::group(&thing.category) == Group::Ceiling && thing.count == 1;
+    let from_ceiling = stand::group(&thing.category) == Group::Ceiling && thing.count <= LAMPS;
     plan.ground.is_some()
         && thing.count <= MOST
         && (from_ceiling || matches!(stand::group(&thing.category), Group::Wall | Group::Screen))
@@ -40,6 +44,28 @@ fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
     plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun))
 }
 
+/// One lamp hangs above the middle of the room; several hang in a line over its table, or along it.
+fn lamps(plan: &mut Plan, it: &Thing, y: f64) {
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    let tables = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
+    let mut tables =
+        tables.filter(|t| stand::group(&t.category) == Group::Table && t.size.is_some_and(|s| s[0] > LONG));
+    let table = tables.find_map(|t| Some((plan.place_in_room(&t.name)?, t.size?[0]))).filter(|_| it.count > 1);
+    let (middle, length) = match table {
+        Some((at, long)) => (at, long),
+        None => (Pose { yaw: if w >= d { 0.0 } else { 90.0 }, ..Pose::default() }, w.max(d)),
+    };
+    let step = length / it.count as f64;
+    let each = (0..it.count).map(|i| {
+        let along = (i as f64 + 0.5) * step - length / 2.0;
+        let at = middle.then(&Pose { x: along, ..Pose::default() });
+        let name = if it.count > 1 { format!("{}[{i}]", it.name) } else { it.name.clone() };
+        place::absolute(&name, &plan.room_name(), [at.x, y, at.z], 0.0)
+    });
+    let text = format!("prefer {};", each.collect::<Vec<_>>().join(" and "));
+    plan.say(text, if it.count > 1 { "lamps hang in a line" } else { "it hangs above the middle of the room" });
+}
+
 /// Hangs it up. Where there is no place, its place is left to the search.
 pub fn up(plan: &mut Plan, at: usize) {
     if plan.claimed.contains(&at) {
@@ -55,8 +81,7 @@ pub fn up(plan: &mut Plan, at: usize) {
     }
     let height = plan.draft.rooms[plan.room].size[1];
     if stand::group(&noun) == Group::Ceiling {
-        let text = place::absolute(&it.name, &plan.room_name(), [0.0, height - size[1], 0.0], 0.0);
-        return plan.say(format!("prefer {text};"), "it hangs above the middle of the room");
+        return lamps(plan, &it, height - size[1]);
     }
     let y = (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3));
     let line = line(plan, at);

@@ -7,7 +7,9 @@ use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, Place};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, is_desk, rows};
-use super::spots::{beds, beside_pair, ends, free, in_row, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from};
+use super::spots::{
+    beds, beside_pair, ends, free, in_row, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from,
+};
 use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
 use crate::brief::Group;

@@ -75,7 +75,7 @@ pub fn furnish_once(
     let at_back = |category: &str| {
         let noun = category.replace('_', " ");
         let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
-        own.is_some_and(|line| matches!(line.place, Place::Back(_) | Place::Service(_)))
+        own.is_some_and(|line| matches!(line.place, Place::Back(_) | Place::Service(_) | Place::Before(_, 180.0)))
     };
     // So does what has its place at the back or serves guests: a robot stands before its conveyor, and nobody waits behind a
     // desk.

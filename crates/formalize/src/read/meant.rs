@@ -3,6 +3,7 @@
 use super::number;
 use super::paraphrase::{put, word};
 use super::token::{Kind, Token};
+use super::zones::HOMES;
 use crate::furnish::kinds;
 
 /// "A bookshelf wall", "a wall of books": three bookshelves side by side; so are mirrors.
@@ -98,6 +99,27 @@ pub(super) fn counter_seats(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     put(tokens, i, i + 2, &["a", "bar", "counter", "and", "six", "bar", "stools"]);
+    true
+}
+
+/// "A two bedroom flat": a two-bedroom flat.
+pub(super) fn bedrooms(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let is_home = HOMES.iter().any(|home| tokens.get(i + 2).is_some_and(|t| t.is(home)));
+    let counted = number::count(&tokens[i..]).filter(|(_, used)| *used == 1);
+    if !is_home || counted.is_none() || word(tokens, i + 1) != "bedroom" || matches!(word(tokens, i), "a" | "one") {
+        return false;
+    }
+    let joined = format!("{}-bedroom", tokens[i].text);
+    put(tokens, i, i + 2, &[joined.as_str()]);
+    true
+}
+
+/// "A hairdresser's with three mirrors": the salon.
+pub(super) fn whose(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let ends = tokens.get(i + 1).is_none_or(|t| !t.word() || t.is("with") || t.is("for"));
+    let Some(kind) = kinds::of(&tokens[i].text).filter(|_| ends && tokens[i].owner) else { return false };
+    let words: Vec<&str> = kind.name.split(' ').collect();
+    put(tokens, i, i + 1, &words);
     true
 }
 
@@ -229,6 +251,8 @@ mod tests {
             ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
             ("an office for two teams of six people", "an office for 12 people"),
             ("a room with two teams", "a room with two teams"),
+            ("a two bedroom flat with a kitchen", "a two-bedroom flat with a kitchen"),
+            ("a hairdresser's with three mirrors", "a hair salon with three mirrors"),
             ("a law office with a reception and two desks", "a law office with a reception desk and two desks"),
             ("a studio with a mirrored wall", "a studio with three gym mirrors"),
             ("a garage for two cars with a workbench", "a garage with two cars and a workbench"),

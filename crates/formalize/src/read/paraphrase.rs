@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 27] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 29] = [
             apart,
             together,
             each_other,
@@ -36,6 +36,8 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::seating,
             meant::family,
             meant::teams,
+            meant::whose,
+            meant::bedrooms,
             meant::reception,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);
