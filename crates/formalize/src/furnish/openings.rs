@@ -13,6 +13,8 @@ const CORNER: f64 = 0.3;
 /// In a wall that is shorter a window is at one end, so far from the corner: something tall finds room beside it.
 const NARROW: f64 = 2.4;
 const MARGIN: f64 = 0.25;
+/// Two doors in walls that meet are so far apart at least, middle to middle (metres).
+const AT_CORNER: f64 = 0.85;
 /// Half the distance of two rooms, in which a door between them is.
 const BETWEEN: f64 = 0.03;
 /// How far two rooms are apart at most that share a wall.
@@ -129,9 +131,11 @@ pub fn doors(draft: &mut Draft, room: usize) {
 fn at_odds(draft: &Draft, room: usize, pose: &Pose, door: &Opening) -> bool {
     let own = in_scene(draft, room, pose);
     draft.openings.iter().any(|other| {
-        draft.place_of(&other.name).is_some_and(|[x, _, z, _]| {
+        draft.place_of(&other.name).is_some_and(|[x, _, z, yaw]| {
             let apart = (x - own.x).hypot(z - own.z);
-            apart < (other.size[0] + door.size[0]) / 2.0 + 0.25
+            // Around a corner, at the end of a hall, two doors may be nearer.
+            let round_corner = (yaw - own.yaw).rem_euclid(180.0) == 90.0;
+            apart < if round_corner { AT_CORNER } else { (other.size[0] + door.size[0]) / 2.0 + 0.25 }
         })
     })
 }
