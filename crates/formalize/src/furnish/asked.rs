@@ -343,25 +343,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
             })
         }
     };
-    if facing::is_pair(plan, thing)
-        && facing::stand_up(plan, thing, &|floor, shape, before| choice.wall(floor, shape, before))
-    {
-        return true;
-    }
-    if facing::is_couple(plan, thing)
-        && facing::in_corner(plan, thing, &|floor, shape, before| choice.in_corner(floor, shape, before))
-    {
-        return true;
-    }
-    let lengthwise: &[f64] = &[0.0, 90.0];
-    if facing::is_pair_of_desks(plan, thing)
-        && facing::desks(plan, thing, &|floor, shape, before| choice.floor(floor, shape, before, lengthwise))
-    {
-        return true;
-    }
-    if twin::is_pair(plan, thing)
-        && twin::stand_up(plan, thing, &|floor, shape, _| twin::at_wall(floor, shape, size[2], &windows))
-    {
+    if stand_as_pair(plan, thing, &choice) {
         return true;
     }
     let root = Root { n: it.count, frames: vec![Pose::default()], wall, free: around, whole: false, seek: &seek };
@@ -370,24 +352,8 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         let tills: Vec<Pose> = (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
         keep_exit(plan, &tills, size);
     }
-    // Not in mid-room, should the search move it.
-    if placed && like.aside && it.count == 1 && it.size.is_some_and(|s| s[1] > TALL) {
-        plan.say(
-            format!("prefer inCorner({}, {});", it.name, plan.room_name()),
-            "it usually stands there in such a room",
-        );
-    }
-    // What such rooms have at a place of its own is rather kept there.
-    let own_place = like.line.filter(|_| placed && it.count == 1 && !received);
-    if let (Some(line), Some(at)) = (own_place, plan.place_in_room(&it.name)) {
-        if matches!(line.place, Place::Before(..) | Place::Back(_) | Place::Front(_)) && at.y == 0.0 {
-            let text = place::absolute(&it.name, &plan.room_name(), [at.x, at.y, at.z], at.yaw);
-            plan.say(format!("prefer {text};"), "it usually stands there in such a room");
-        }
-    }
-    if let Some(at) = plan.place_in_room(&it.name).filter(|_| placed && received && !plan.is_placed(thing)) {
-        let text = format!("assert {};", place::absolute(&it.name, &plan.room_name(), [at.x, at.y, at.z], at.yaw));
-        plan.say(text, "who works there has the visitors before the eyes");
+    if placed {
+        keep_there(plan, thing, like, received);
     }
     // Several tables that stand where there is a gap want a larger room.
     let is_scattered = it.count > 1
@@ -397,6 +363,39 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     // So does a table whose chairs meet those of a desk.
     plan.lacking += usize::from(!placed || is_scattered || is_close.get());
     placed
+}
+
+/// Two seats, sofas, desks or beds that belong together get their places as one. Whether it is such a pair that has a place.
+fn stand_as_pair(plan: &mut Plan, thing: usize, choice: &Choice) -> bool {
+    let lengthwise: &[f64] = &[0.0, 90.0];
+    let wall = |floor: &Floor, shape: &Shape, before: &[Pose]| choice.wall(floor, shape, before);
+    let corner = |floor: &Floor, shape: &Shape, before: &[Pose]| choice.in_corner(floor, shape, before);
+    let across = |floor: &Floor, shape: &Shape, before: &[Pose]| choice.floor(floor, shape, before, lengthwise);
+    let beds = |floor: &Floor, shape: &Shape, _: &[Pose]| twin::at_wall(floor, shape, choice.size[2], choice.windows);
+    facing::is_pair(plan, thing) && facing::stand_up(plan, thing, &wall)
+        || facing::is_couple(plan, thing) && facing::in_corner(plan, thing, &corner)
+        || facing::is_pair_of_desks(plan, thing) && facing::desks(plan, thing, &across)
+        || twin::is_pair(plan, thing) && twin::stand_up(plan, thing, &beds)
+}
+
+/// Says that a thing stays at its place, should the search move it: in its corner, at the place of its own that such rooms have
+/// for it, or with the visitors before it.
+fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
+    const USUAL: &str = "it usually stands there in such a room";
+    let it = plan.draft.things[thing].clone();
+    let room = plan.room_name();
+    if like.aside && it.count == 1 && it.size.is_some_and(|s| s[1] > TALL) {
+        plan.say(format!("prefer inCorner({}, {room});", it.name), USUAL);
+    }
+    let Some(at) = plan.place_in_room(&it.name).filter(|_| it.count == 1) else { return };
+    let there = place::absolute(&it.name, &room, [at.x, at.y, at.z], at.yaw);
+    let special = |line: &Line| matches!(line.place, Place::Before(..) | Place::Back(_) | Place::Front(_));
+    if like.line.is_some_and(special) && !received && at.y == 0.0 {
+        plan.say(format!("prefer {there};"), USUAL);
+    }
+    if received && !plan.is_placed(thing) {
+        plan.say(format!("assert {there};"), "who works there has the visitors before the eyes");
+    }
 }
 
 /// The window that a thing is said to stand at.

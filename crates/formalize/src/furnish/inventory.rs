@@ -264,9 +264,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     if n == 0 {
         return false;
     }
-    let height = plan.draft.rooms[plan.room].size[1];
-    let under_ceiling = (height - size[1] - 0.1).max(0.3);
-    let y = if hung { (EYES - size[1] / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling) } else { 0.0 };
+    let y = if hung { hung_at(plan, line, size[1]) } else { 0.0 };
     let opposite = opposite_of(plan, line);
     let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
     let aside = matches!(line.place, Place::Opposite(_)).then(|| beside_pair(plan)).flatten();
@@ -288,9 +286,9 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     };
     // Either side of a pair that faces each other will do.
     let behind = Choice { looks_at: aside.map(|at| Pose { yaw: (at.yaw + 180.0) % 360.0, ..at }), ..choice };
+    let anywhere = Choice { strictly: false, ..choice };
     let nominal = nominal(plan, line, size, y);
-    let dress = plan.kind.dress;
-    let bent = groups::turns_corner(line.noun, dress);
+    let (dress, bent) = (plan.kind.dress, groups::turns_corner(line.noun, plan.kind.dress));
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
         _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
@@ -302,10 +300,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         Place::Opposite(_) => choice
             .wall(floor, shape, before)
             .or_else(|| aside.and_then(|_| behind.wall(floor, shape, before)))
-            .or_else(|| {
-                let anywhere = Choice { strictly: false, ..choice };
-                anywhere.wall(floor, shape, before)
-            }),
+            .or_else(|| anywhere.wall(floor, shape, before)),
         Place::Corner => choice.corner(floor, shape, before),
         Place::Floor if n == 1 && groups::is_visited(line.noun, dress) => {
             choice.received_at(floor, shape).or_else(|| choice.floor(floor, shape, before, &[0.0, 90.0]))
@@ -378,6 +373,12 @@ fn amiss(plan: &Plan, line: &Line, poses: &[Pose], is_scattered: bool, opposite:
         _ => false,
     };
     usize::from(scattered) + usize::from(apart) + usize::from(askew)
+}
+
+/// How high something of a height hangs.
+fn hung_at(plan: &Plan, line: &Line, height: f64) -> f64 {
+    let under_ceiling = (plan.draft.rooms[plan.room].size[1] - height - 0.1).max(0.3);
+    (EYES - height / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling)
 }
 
 /// How high something hangs at least that hangs near something low: both are seen, as a board over the counter.

@@ -371,6 +371,16 @@ fn is_exhibited(noun: &str) -> bool {
     EXHIBITED.iter().any(|end| noun.ends_with(end))
 }
 
+/// The aisle before racks of a width.
+fn aisle(noun: &str, width: f64) -> f64 {
+    let [wide, _, usual, narrowest] = AISLES;
+    match width {
+        _ if noun.ends_with("pallet rack") => wide,
+        _ if width < 2.0 => narrowest,
+        _ => usual,
+    }
+}
+
 /// The same in cells of `each`.
 fn cells(
     plan: &Plan,
@@ -386,18 +396,13 @@ fn cells(
     let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
     let asked = n;
     // Pallet racks stand back to back, with an aisle for a lift truck before each.
-    let deep = if noun.ends_with("pallet rack") && n >= BACK_TO_BACK { 2 } else { 1 };
+    let deep = 1 + usize::from(noun.ends_with("pallet rack") && n >= BACK_TO_BACK);
     let cell_d = deep as f64 * own_d + (deep - 1) as f64 * BEHIND_RACKS;
     let each = each * deep;
     let n = n.div_ceil(each);
     let flat = size[1] < 0.05;
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
-    let [wide, _, usual, narrowest] = AISLES;
-    let aisle_of_racks = match size[0] {
-        _ if noun.ends_with("pallet rack") => wide,
-        width if width < 2.0 => narrowest,
-        _ => usual,
-    };
+    let aisle_of_racks = aisle(noun, size[0]);
     let table = stand::group(noun) == crate::brief::Group::Table;
     let side = if rack { 1.0 } else { beside(table && (back - front).abs() < 0.1) };
     let ahead = match toward {
