@@ -348,15 +348,20 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let Some((thing, poses)) = found else { return false };
     let is_scattered = row.borrow().is_empty();
     plan.lacking += amiss(plan, line, &poses, is_scattered, opposite_pose);
-    if let (Some(at), Some(seen)) = (poses.first(), opposite_pose) {
-        keep_view(plan, at, &seen);
-    }
-    if n > 1 && line.noun.starts_with("checkout") {
-        keep_exit(plan, &poses, size);
-    }
+    keep_free(plan, line, (&poses, size), opposite_pose);
     let at = Stood { line, thing, poses: &poses, nominal, gap, hung, y, opposite: opposite.zip(opposite_pose) };
     tell(plan, &at, why);
     true
+}
+
+/// Keeps free what is seen across the room, and the way out behind tills.
+fn keep_free(plan: &mut Plan, line: &Line, (poses, size): (&[Pose], [f64; 3]), opposite: Option<Pose>) {
+    if let (Some(at), Some(seen)) = (poses.first(), opposite) {
+        keep_view(plan, at, &seen);
+    }
+    if poses.len() > 1 && line.noun.starts_with("checkout") {
+        keep_exit(plan, poses, size);
+    }
 }
 
 /// How many places of things that matter are not as they should be; a larger room, or one with other sides, may mend them.

@@ -371,6 +371,11 @@ fn is_exhibited(noun: &str) -> bool {
     EXHIBITED.iter().any(|end| noun.ends_with(end))
 }
 
+/// The ways between racks with such an aisle, and the narrower ones.
+fn racks(aisle: f64) -> Vec<(f64, f64)> {
+    AISLES.iter().filter(|narrower| **narrower <= aisle).map(|aisle| (0.02, *aisle)).collect()
+}
+
 /// The aisle before racks of a width.
 fn aisle(noun: &str, width: f64) -> f64 {
     let [wide, _, usual, narrowest] = AISLES;
@@ -419,14 +424,14 @@ fn cells(
     let narrow = (if cell_w > 1.9 { 0.75 } else { 0.45 }, if flat { 0.35 } else { 0.6 });
     let seat = stand::group(noun) == crate::brief::Group::Seat;
     let alone = seat && cell_w < 1.0 && (cell_d - size[2]).abs() < 0.02;
-    let ways = match (rack, table) {
-        (true, _) => AISLES.iter().filter(|aisle| **aisle <= aisle_of_racks).map(|aisle| (0.02, *aisle)).collect(),
-        _ if each == 2 && deep == 1 => PAIRS.to_vec(),
-        _ if is_exhibited(noun) => vec![BETWEEN_EXHIBITS],
-        (_, true) => vec![(TABLES, TABLES), narrow],
-        _ if alone => vec![SEATS],
-        _ if seat && (cell_d - size[2]).abs() < 0.02 => vec![PEWS, narrow],
-        _ => vec![narrow],
+    let ways = match () {
+        () if rack => racks(aisle_of_racks),
+        () if each == 2 && deep == 1 => PAIRS.to_vec(),
+        () if is_exhibited(noun) => vec![BETWEEN_EXHIBITS],
+        () if table => vec![(TABLES, TABLES), narrow],
+        () if alone => vec![SEATS],
+        () if seat && (cell_d - size[2]).abs() < 0.02 => vec![PEWS, narrow],
+        () => vec![narrow],
     };
     // Long rows of seats have an aisle in the middle.
     let aisle_of_seats =
@@ -446,15 +451,14 @@ fn cells(
     let square = if rack { 1 } else { ((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines) };
     let lines_used = n.div_ceil(columns).max(square);
     // Full lines rather than a short last one, where that takes one more or one less.
-    let halves = if aisle_of_seats > 0.0 { 2 } else { 1 };
+    let halves = 1 + usize::from(aisle_of_seats > 0.0);
     let full = |lines_used: &usize| {
         (1..=lines).contains(lines_used) && n.is_multiple_of(halves * *lines_used) && n / lines_used <= columns
     };
     let wider = if alone { 2 } else { 1 };
     let mut near = (0..=wider).flat_map(|by| [lines_used + by, lines_used.saturating_sub(by)]);
     let lines_used = near.find(full).filter(|_| !rack).unwrap_or(lines_used);
-    let columns_used = n.div_ceil(lines_used);
-    let columns_used = columns_used.next_multiple_of(halves);
+    let columns_used = n.div_ceil(lines_used).next_multiple_of(halves);
     let spread = match () {
         () if each == 2 && deep == 1 => widest.min(PAIRS[0].0),
         () if table => widest,
@@ -471,13 +475,12 @@ fn cells(
     let off = if toward { (front - back) / 2.0 } else { 0.0 };
     // A short last line keeps to the columns.
     let place = |i: usize| {
-        let (in_pair, unit) = (i % each, i / each);
-        let (in_pair, behind) = if deep == 2 { (0, in_pair) } else { (in_pair, 0) };
+        let unit = i / each;
+        let (in_pair, behind) = if deep == 2 { (0, i % each) } else { (i % each, 0) };
         let (column, line) = (unit % columns_used, unit / columns_used);
         let x = (column as f64 - (columns_used as f64 - 1.0) / 2.0) * step_x;
         let x = x + if 2 * column < columns_used { -0.5 } else { 0.5 } * aisle_of_seats;
-        let beside = (each / deep) as f64;
-        let x = x + (in_pair as f64 - (beside - 1.0) / 2.0) * (one + BETWEEN);
+        let x = x + (in_pair as f64 - ((each / deep) as f64 - 1.0) / 2.0) * (one + BETWEEN);
         let z = mid_z + off - (line as f64 - (lines_used as f64 - 1.0) / 2.0) * step_z;
         let z = z + (behind as f64 - (deep as f64 - 1.0) / 2.0) * (own_d + BEHIND_RACKS);
         let yaw = if alternate && line % 2 == 0 || deep == 2 && behind == 0 { 180.0 } else { yaw };
