@@ -108,7 +108,7 @@ fn usual(brief: &mut Brief, people: usize) {
         add(brief, "living room", "a home has a living room");
     }
     let cooks = brief.things.iter().any(|thing| thing.name() == "kitchen counter");
-    if !cooks && !has(brief, &["kitchen"]) {
+    if !cooks && !has(brief, &storey::KITCHENS) {
         add(brief, "kitchen", "a home has a kitchen");
     }
     if !has(brief, &SLEEP) {

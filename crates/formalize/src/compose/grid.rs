@@ -20,6 +20,9 @@ pub struct Grid {
 /// How far from the walls a grid stays, in metres.
 const MARGIN: f64 = 0.9;
 
+/// Between racks in a row, and from one row to the next, where there is room (metres).
+const RACKS: (f64, f64) = (0.02, 2.4);
+
 /// The grid of an array that stands in rows, unless something else says where its elements are: at a wall, on a table.
 pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
     let n = brief.count(a);
@@ -109,7 +112,11 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
 
 /// How far the elements of an array stand from each other at least, side by side and one behind the other (metres).
 fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
-    let (mut beside, mut behind) = (0.5_f64, 0.8_f64);
+    // Racks stand end to end, with an aisle before each row.
+    let (mut beside, mut behind) = match brief.things[a].group {
+        Group::Storage => RACKS,
+        _ => (0.5_f64, 0.8),
+    };
     for f in &brief.facts {
         let own = f.of.contains(&a);
         match &f.what {

@@ -213,12 +213,19 @@ fn is_parked(noun: &str) -> bool {
     noun == "bike" || PARKED.iter().any(|end| noun.ends_with(end))
 }
 
-/// A desk or a counter at which visitors are received stands as in a reception, in rooms that usually have none.
+/// A desk or a counter at which visitors are received stands as in a reception, and a bar as in a pub, in rooms that usually
+/// have none.
 fn received(plan: &Plan, noun: &str) -> Option<&'static Line> {
     const COUNTERS: [&str; 4] = ["counter", "service counter", "shop counter", "customer counter"];
+    const BARS: [&str; 2] = ["bar counter", "bar"];
     let desk = noun.ends_with("reception desk") || noun.ends_with("front desk");
-    let counter = COUNTERS.contains(&noun) && plan.kind.home.is_none();
-    kinds::of("reception").filter(|_| desk || counter)?.lines.iter().find(|line| line.noun == "reception desk")
+    let public = plan.kind.home.is_none();
+    let (kind, own) = match () {
+        () if desk || public && COUNTERS.contains(&noun) => ("reception", "reception desk"),
+        () if public && BARS.contains(&noun) => ("bar room", BARS[0]),
+        () => return None,
+    };
+    kinds::of(kind)?.lines.iter().find(|line| line.noun == own)
 }
 
 /// How things of a kind stand in a room.

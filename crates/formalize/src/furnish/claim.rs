@@ -191,7 +191,7 @@ impl Plan<'_> {
     }
 
     /// Whether a thing that is asked for goes with another one, and nothing is said that keeps it from there.
-    fn goes_with(&self, at: usize, other: usize) -> bool {
+    pub(super) fn goes_with(&self, at: usize, other: usize) -> bool {
         let anchor = &self.draft.things[other];
         at != other
             && self.ground.is_some()
@@ -276,6 +276,10 @@ fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
         Where::LongSides(_, gap) => vec![Where::LongSides(each, gap)],
         Where::Side(gap, along, left, yaw) => {
             vec![part.at.clone(), Where::Side(gap, along, -left, (360.0 - yaw) % 360.0)]
+        }
+        // One at each side.
+        Where::Front(gap, yaw, aside) if each == 2 && aside != 0.0 => {
+            vec![part.at.clone(), Where::Front(gap, (360.0 - yaw) % 360.0, -aside)]
         }
         // Who visits sits across the desk, or beside it where it stands at a wall.
         Where::Front(..) if each > 1 && stand::group(part.noun) == Group::Seat => match wall {

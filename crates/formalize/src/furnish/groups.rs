@@ -182,7 +182,7 @@ mod tests {
     const HOMELY: [&str; 7] = ["vase", "photo frame", "figurine", "candle", "fruit bowl", "table lamp", "throw"];
 
     /// How rooms are dressed where people live.
-    const AT_HOME: [&str; 5] = ["", "hotel", "study", "corner kitchen", "bay kitchen"];
+    const AT_HOME: [&str; 6] = ["", "hotel", "study", "corner kitchen", "bay kitchen", "galley kitchen"];
 
     #[test]
     fn only_homes_are_dressed_as_homes_are() {

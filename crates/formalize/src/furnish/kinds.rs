@@ -132,6 +132,13 @@ pub struct Kind {
     pub curtains: Option<Cover>,
 }
 
+impl Kind {
+    /// Whether a home eats in such a room, so that the living room needs no dining table.
+    pub fn is_eaten_in(&self) -> bool {
+        matches!(self.name, "dining room" | "kitchen diner")
+    }
+}
+
 /// The part of the floor that may be idle in a room, unless its kind says otherwise.
 const IDLE: f64 = 0.13;
 

@@ -45,7 +45,7 @@ impl Order {
         let (boards, hung): Both = hung.into_iter().partition(|at| hang::has_place(plan, *at));
         // One sits before a fire, on what is asked for or on the sofa of such rooms.
         let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
-        let (fires, asked): Both = asked.into_iter().partition(is_fire);
+        let (mut fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
         // A wall of books takes the longest wall; a mat to play on lies near the toys.
         let plays = |at: &usize| plan.draft.things[*at].category == PLAY_MAT;
@@ -61,6 +61,10 @@ impl Order {
             thing.count > WAITING && stand::group(&thing.category) == Group::Seat
         };
         let many_seats = first.iter().any(sits);
+        // In a library one sits at the fire, which has its place first.
+        if with_asked.iter().any(|at| fires.iter().any(|fire| plan.goes_with(*at, *fire))) {
+            first.append(&mut fires);
+        }
         if later.is_empty() {
             first.extend(with_asked)
         } else {

@@ -123,24 +123,26 @@ pub(super) fn whose(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "An office with four teams of four and a kitchenette": for sixteen people, with a kitchenette.
+/// "An office with four teams of four and a kitchenette": for sixteen people, with a kitchenette. "A laboratory with eight
+/// workplaces": for eight people.
 pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
     const MOST: f64 = 60.0;
+    const PLACES: [&str; 2] = ["workplaces", "workspaces"];
     if !matches!(word(tokens, i), "with" | "for" | "has") {
         return false;
     }
     let counted = |from: usize| number::count(tokens.get(from..).unwrap_or_default());
-    let Some((teams, used)) = counted(i + 1) else { return false };
+    let Some((n, used)) = counted(i + 1) else { return false };
     let of = i + 1 + used;
-    if word(tokens, of) != "teams" || word(tokens, of + 1) != "of" {
-        return false;
-    }
-    let Some((each, more)) = counted(of + 2) else { return false };
-    let people = teams * each;
+    let (people, end) = match (word(tokens, of), word(tokens, of + 1), counted(of + 2)) {
+        ("teams", "of", Some((each, more))) => (n * each, of + 2 + more),
+        (places, ..) if PLACES.contains(&places) => (n, of + 1),
+        ("work", "places" | "spaces", _) => (n, of + 2),
+        _ => return false,
+    };
     if people.fract() != 0.0 || people > MOST {
         return false;
     }
-    let end = of + 2 + more;
     let end = end + usize::from(matches!(word(tokens, end), "people" | "persons"));
     if word(tokens, end) == "and" {
         put(tokens, end, end + 1, &["with"]);
@@ -152,14 +154,27 @@ pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A three-bedroom family house": the house.
+/// "A three-bedroom family house": the house of parents and two children.
 pub(super) fn family(tokens: &mut Vec<Token>, i: usize) -> bool {
     let home = match word(tokens, i + 1) {
         home @ ("house" | "home" | "apartment" | "flat") if word(tokens, i) == "family" => home.to_owned(),
         _ => return false,
     };
-    put(tokens, i, i + 2, &[&home]);
+    // Whom it is for may be said.
+    match word(tokens, i + 2) {
+        "for" => put(tokens, i, i + 2, &[home.as_str()]),
+        _ => put(tokens, i, i + 2, &[home.as_str(), "for", "four", "people"]),
+    }
     true
+}
+
+/// "A kitchen-diner": a kitchen that one eats in.
+pub(super) fn kitchen_diner(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let diner = word(tokens, i) == "kitchen-diner";
+    if diner {
+        put(tokens, i, i + 1, &["dining", "kitchen"]);
+    }
+    diner
 }
 
 /// "A science lab for a school", "a chemistry lab in a high school": the classroom.
@@ -247,10 +262,14 @@ mod tests {
             ("a study with a wall of books", "a study with three bookshelves"),
             ("a lounge with a full bookshelf wall and a lamp", "a lounge with three bookshelves and a lamp"),
             ("a wall of stone", "a wall of stone"),
-            ("a three-bedroom family house", "a three-bedroom house"),
+            ("a three-bedroom family house", "a three-bedroom house for four people"),
+            ("a family home for five with a garden", "a home for five with a garden"),
+            ("a house with a kitchen-diner", "a house with a dining kitchen"),
             ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
             ("an office for two teams of six people", "an office for 12 people"),
             ("a room with two teams", "a room with two teams"),
+            ("a lab with eight workplaces and a fume hood", "a lab for 8 people with a fume hood"),
+            ("an office with 4 work places, a sofa and a plant", "an office for 4 people , a sofa and a plant"),
             ("a two bedroom flat with a kitchen", "a two-bedroom flat with a kitchen"),
             ("a hairdresser's with three mirrors", "a hair salon with three mirrors"),
             ("a law office with a reception and two desks", "a law office with a reception desk and two desks"),

@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 29] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 30] = [
             apart,
             together,
             each_other,
@@ -35,6 +35,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::covers,
             meant::seating,
             meant::family,
+            meant::kitchen_diner,
             meant::teams,
             meant::whose,
             meant::bedrooms,

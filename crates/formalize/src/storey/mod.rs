@@ -68,10 +68,13 @@ fn passage(kind: &str) -> usize {
             "gallery",
         ],
         &["dining room"],
-        &["kitchen", "corner kitchen", "bay kitchen", "break room", "conservatory"],
+        &["kitchen", "kitchen diner", "corner kitchen", "bay kitchen", "galley kitchen", "break room", "conservatory"],
     ];
     BEST.iter().position(|kinds| kinds.contains(&kind)).unwrap_or(BEST.len())
 }
+
+/// Rooms of a home that have a kitchen run.
+pub const KITCHENS: [&str; 5] = ["kitchen", "kitchen diner", "corner kitchen", "bay kitchen", "galley kitchen"];
 
 /// Whether people pass through such rooms.
 pub fn is_passage(room: &str) -> bool {
@@ -182,8 +185,16 @@ fn plan(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> O
 
 /// The rooms that may lead to a balcony, the best first: the one that is said to, or else where people sit, eat and sleep.
 fn leading(brief: &Brief, inner: &[usize], said: Option<usize>) -> Vec<usize> {
-    const SITS: [&str; 7] =
-        ["living room", "studio apartment", "dining room", "bedroom", "kitchen", "corner kitchen", "bay kitchen"];
+    const SITS: [&str; 8] = [
+        "living room",
+        "studio apartment",
+        "dining room",
+        "bedroom",
+        "kitchen diner",
+        "kitchen",
+        "corner kitchen",
+        "bay kitchen",
+    ];
     if let Some(said) = said {
         return vec![said];
     }
@@ -243,10 +254,10 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
             let area = area.max(side * (w + BESIDE));
             ([area, most.max(1.15 * area)], side)
         });
-        let wet = is(room, &["kitchen", "corner kitchen", "bay kitchen", "bathroom", "public toilets", "laundry room"]);
+        let wet = is(room, &KITCHENS) || is(room, &["bathroom", "public toilets", "laundry room"]);
         let widest = draft.things.iter().filter(|thing| thing.room == Some(room));
         let widest = widest.filter_map(|thing| thing.size).map(|size| size[0].max(size[2])).fold(0.0, f64::max);
-        let kitchen = is(room, &["kitchen", "corner kitchen", "bay kitchen"]);
+        let kitchen = is(room, &KITCHENS);
         let long = if kitchen && home { RUN } else { side };
         let mut with = links.iter().filter(|(a, b)| *a == room || *b == room);
         let own = match (with.next(), with.next()) {
@@ -289,7 +300,7 @@ fn at_home(
     let more =
         more.filter(|thing| matches!(thing.source, Source::Stated(_)) && !own(&thing.category.replace('_', " ")));
     let more: f64 = more.filter_map(|thing| thing.size).map(|[w, _, d]| w * (d + USE)).sum();
-    let dines = |room: &Room| kinds::of(&room.kind).is_some_and(|kind| kind.name == "dining room");
+    let dines = |room: &Room| kinds::of(&room.kind).is_some_and(Kind::is_eaten_in);
     let eats = kind.eat.is_some() && !draft.rooms.iter().any(dines);
     let more = more + if eats { EATING } else { 0.0 };
     let area = (area * said).max(needed) + more;
