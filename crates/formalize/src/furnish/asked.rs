@@ -361,6 +361,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     }
     if placed {
         keep_there(plan, thing, like, received);
+        keep_gaps(plan, thing, size);
     }
     // Several tables that stand where there is a gap want a larger room.
     let is_scattered = it.count > 1
@@ -402,6 +403,28 @@ fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
     }
     if received && !plan.is_placed(thing) {
         plan.say(format!("assert {there};"), "who works there has the visitors before the eyes");
+    }
+}
+
+/// Nothing else stands between machines or shelves that stand side by side, where a gap is hardly wider than one of them.
+fn keep_gaps(plan: &mut Plan, thing: usize, [width, height, depth]: [f64; 3]) {
+    let it = &plan.draft.things[thing];
+    if it.count < SEVERAL || !matches!(stand::group(&it.category), Group::Floor | Group::Storage) {
+        return;
+    }
+    let places: Vec<Pose> =
+        (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
+    let Some(ground) = &mut plan.ground else { return };
+    for pair in places.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        let (dx, dz) = (b.x - a.x, b.z - a.z);
+        let gap = dx.hypot(dz) - width;
+        let turn = a.yaw.to_radians();
+        let ahead = (dx * turn.sin() + dz * turn.cos()).abs();
+        if a.yaw == b.yaw && ahead < 0.01 && (0.1..1.5 * width).contains(&gap) {
+            let middle = Pose { x: (a.x + b.x) / 2.0, y: 0.05, z: (a.z + b.z) / 2.0, yaw: a.yaw };
+            ground.keep(&middle, [gap - 0.02, height, depth]);
+        }
     }
 }
 

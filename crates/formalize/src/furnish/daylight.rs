@@ -77,7 +77,12 @@ fn windows(plan: &Plan) -> Option<Windows> {
         }
         let mut row = None;
         let mut fit = 0;
-        for wall in [Wall::Left, Wall::Back, Wall::Right, Wall::Front] {
+        let mut walls = [Wall::Left, Wall::Back, Wall::Right, Wall::Front];
+        // Across from the bed hangs the television.
+        if plan.draft.rooms.len() > 1 && plan.kind.has_hung_screen() {
+            walls.sort_by(|a, b| a.length([w, h, d]).total_cmp(&b.length([w, h, d])));
+        }
+        for wall in walls {
             let (count, first) = openings::windows_in(plan.draft, plan.room, wall, count, size, step);
             let behind_door = plan.draft.openings.iter().any(|o| {
                 plan.place_in_room(&o.name).and_then(|pose| Wall::behind(&pose)) == Some(wall)

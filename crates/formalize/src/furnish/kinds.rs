@@ -137,6 +137,11 @@ impl Kind {
     pub fn is_eaten_in(&self) -> bool {
         matches!(self.name, "dining room" | "kitchen diner")
     }
+
+    /// Whether a television hangs across from the bed.
+    pub fn has_hung_screen(&self) -> bool {
+        self.lines.iter().any(|line| line.noun == "tv" && line.place == Place::Hung)
+    }
 }
 
 /// The part of the floor that may be idle in a room, unless its kind says otherwise.

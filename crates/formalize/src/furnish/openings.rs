@@ -15,6 +15,8 @@ const NARROW: f64 = 2.4;
 const MARGIN: f64 = 0.25;
 /// Two doors in walls that meet are so far apart at least, middle to middle (metres).
 const AT_CORNER: f64 = 0.85;
+/// What each metre from the bathroom to the door of a hotel room costs.
+const PASSED: f64 = 1.0;
 /// Half the distance of two rooms, in which a door between them is.
 const BETWEEN: f64 = 0.03;
 /// How far two rooms are apart at most that share a wall.
@@ -79,6 +81,7 @@ pub fn doors(draft: &mut Draft, room: usize) {
         // One comes in at the end of the aisle between pews.
         let pews = |kind: &kinds::Kind| kind.lines.iter().any(|line| line.noun.ends_with("pew"));
         let to_aisle = beyond.is_none() && kinds::of(&draft.rooms[room].kind).is_some_and(pews);
+        let bathroom = beyond.is_none().then(|| bathroom(draft, room)).flatten();
         let mut best: Option<(f64, Pose)> = None;
         for wall in [Wall::Front, Wall::Right, Wall::Left, Wall::Back] {
             let gate = door.category.as_deref() == Some(GATE);
@@ -112,7 +115,8 @@ pub fn doors(draft: &mut Draft, room: usize) {
                         (_, true) => along.abs(),
                         _ => (last - along).min(along - first),
                     };
-                    let cost = dear + off_best * 0.2;
+                    let passed = bathroom.map_or(0.0, |[x, z]| (pose.x - x).hypot(pose.z - z) * PASSED);
+                    let cost = dear + off_best * 0.2 + passed;
                     let free = !at_odds(draft, room, &pose, &door);
                     if free && best.as_ref().is_none_or(|(least, _)| cost < *least - 1e-9) {
                         best = Some((cost, pose));
@@ -125,6 +129,14 @@ pub fn doors(draft: &mut Draft, room: usize) {
             draft.places.push((door.name.clone(), [pose.x, pose.y, pose.z, pose.yaw]));
         }
     }
+}
+
+/// Where the bathroom of a hotel room is, seen from its middle: one comes in beside it.
+fn bathroom(draft: &Draft, room: usize) -> Option<[f64; 2]> {
+    let own = &draft.rooms[room];
+    kinds::of(&own.kind).filter(|kind| draft.rooms.len() == 2 && kind.has_hung_screen())?;
+    let other = &draft.rooms[1 - room];
+    Some([other.at[0] - own.at[0], other.at[1] - own.at[1]])
 }
 
 /// Whether a door would be in the way of another opening, or that of it.

@@ -228,7 +228,8 @@ fn turned(
         () => None,
     };
     if let Some(before) = before {
-        let places = grid(plan, [d - before, w], noun, size, reach, n, toward)?;
+        let beside = if pays { BESIDE_WALLS } else { 0.0 };
+        let places = grid(plan, [d - before, w - beside], noun, size, reach, n, toward)?;
         let turned = Pose { yaw: 90.0, z: before / 2.0, ..Pose::default() };
         return Some(places.iter().map(|at| turned.then(at)).collect());
     }
@@ -259,6 +260,8 @@ const BEHIND_RACKS: f64 = 0.1;
 /// Behind a gate so much is free of racks, and so much of shelves where one pays (metres).
 const BEFORE_GATE: f64 = 2.2;
 const BEFORE_TILLS: f64 = 3.2;
+/// Shelves of a shop leave so much of its width to what stands along the walls (metres).
+const BESIDE_WALLS: f64 = 1.2;
 /// Between the backs of chairs of one table and those of the next.
 const TABLES: f64 = 0.9;
 /// What reaches farther from a table than this is a chair at it; chairs have this much between their backs (metres).

@@ -29,6 +29,8 @@ pub(super) fn staffed(plan: &Plan) -> Option<Staff> {
     const BEYOND: f64 = 0.3;
     let [_, height, depth] = plan.draft.rooms[plan.room].size;
     plan.kind.lines.iter().find_map(|line| match line.place {
+        // Not at a counter that is there only if it is asked for.
+        Place::Before(..) if line.least > plan.counted && near_to(plan, line.noun).is_none() => None,
         Place::Before(gap, 180.0) => {
             let usual = depth / 2.0 - gap - Plan::size(line.noun)[2];
             let at = near_to(plan, line.noun);
@@ -182,9 +184,11 @@ pub(super) fn keep_exit(plan: &mut Plan, tills: &[Pose], size: [f64; 3]) {
     let toward_door = ground.door_beyond(across, (way.low[across] + way.high[across]) / 2.0);
     let (low, high) = if toward_door > 0.0 { (way.high[across], half) } else { (-half, way.low[across]) };
     let (middle, deep) = ((low + high) / 2.0, (high - low).max(0.1));
+    // In the corners there is room for carts and baskets.
+    const CORNERS: f64 = 1.0;
     let (at, size) = match across {
-        2 => (Pose { z: middle, y: 0.05, ..Pose::default() }, [w, 1.8, deep]),
-        _ => (Pose { x: middle, y: 0.05, ..Pose::default() }, [deep, 1.8, d]),
+        2 => (Pose { z: middle, y: 0.05, ..Pose::default() }, [(w - 2.0 * CORNERS).max(0.1), 1.8, deep]),
+        _ => (Pose { x: middle, y: 0.05, ..Pose::default() }, [deep, 1.8, (d - 2.0 * CORNERS).max(0.1)]),
     };
     ground.keep(&at, size);
 }
