@@ -113,10 +113,9 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
 /// How far the elements of an array stand from each other at least, side by side and one behind the other (metres).
 fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
     // Racks stand end to end, with an aisle before each row.
-    let (mut beside, mut behind) = match brief.things[a].group {
-        Group::Storage => RACKS,
-        _ => (0.5_f64, 0.8),
-    };
+    let thing = &brief.things[a];
+    let is_rack = thing.group == Group::Storage || thing.words.last().is_some_and(|word| word == "rack");
+    let (mut beside, mut behind) = if is_rack { RACKS } else { (0.5_f64, 0.8) };
     for f in &brief.facts {
         let own = f.of.contains(&a);
         match &f.what {

@@ -188,13 +188,15 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
+    // Who waits on a bench is in nobody's way.
+    let is_seat_aside = noun == "bench" && own.is_none() && it.count <= 2 && !plan.draft.outdoor && !plan.is_placed(thing);
     let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     // What is watched stands across from where one sits.
     let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));
     let looks_at = watched.and_then(|line| opposite_of(plan, line)).and_then(|name| plan.place_in_room(&name));
     let like = Like {
         line: own_place,
-        at_wall: has_back || at_wall_like,
+        at_wall: has_back || at_wall_like || is_seat_aside,
         in_run,
         aside,
         looks_at,
@@ -312,7 +314,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let is_parked = is_parked(&noun);
     let around = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
     let row = RefCell::new(Vec::new());
-    let is_close = Cell::new(false);
+    let (is_close, is_behind) = (Cell::new(false), Cell::new(false));
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
             Some(pose)
@@ -331,9 +333,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
                 }
             }
         } else {
-            // What is asked for stands behind the counter rather than nowhere.
-            let anywhere = Choice { staffed: None, ..choice };
-            [&choice, &anywhere].into_iter().find_map(|choice| match like {
+            let there = |choice: &Choice| match like {
                 Like { aside: true, .. } => {
                     choice.corner(floor, shape, before).or_else(|| choice.wall(floor, shape, before))
                 }
@@ -347,6 +347,12 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
                     is_close.set(shape.pieces.len() > 1 && floor.room_around(shape, &pose) < CLOSE);
                     Some(pose)
                 }
+            };
+            // What is asked for stands behind the counter rather than nowhere.
+            there(&choice).or_else(|| {
+                let behind = there(&Choice { staffed: None, ..choice });
+                is_behind.set(is_behind.get() || behind.is_some());
+                behind
             })
         }
     };
@@ -368,8 +374,8 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         && row.borrow().is_empty()
         && stand::group(&it.category) == Group::Table
         && groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat);
-    // So does a table whose chairs meet those of a desk.
-    plan.lacking += usize::from(!placed || is_scattered || is_close.get());
+    // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
+    plan.lacking += usize::from(!placed || is_scattered || is_close.get() || is_behind.get());
     placed
 }
 

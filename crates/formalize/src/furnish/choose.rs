@@ -57,6 +57,7 @@ const APART_FROM_OTHERS: f64 = 1.4;
 const FREE: f64 = 2.6;
 /// What is parked along a wall is so far from it (metres).
 const ALONG_WALL: f64 = 0.05;
+const WINDOW_SEAT: &str = "window seat";
 /// What belongs at a window costs so much more elsewhere.
 const AWAY_FROM_WINDOW: f64 = 6.0;
 /// What stands in the middle of a wall.
@@ -140,7 +141,7 @@ impl Choice<'_> {
         }
         cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
-        if self.noun.starts_with(stand::AT_WINDOW) && !lit {
+        if (self.noun.starts_with(stand::AT_WINDOW) || self.is(&[WINDOW_SEAT])) && !lit {
             cost += AWAY_FROM_WINDOW;
         }
         if self.is(&["bed"]) {

@@ -188,6 +188,9 @@ fn shelves_in_rows(brief: &Brief, at: usize) -> Option<usize> {
 /// "Many" are so many at least.
 const MANY: usize = 5;
 
+/// So many people sit at tables for groups, where nobody says how many.
+const MOST_AT_GROUPS: usize = 24;
+
 /// How many "racks" are, where such rooms have whole rows of them.
 fn several(brief: &Brief, at: usize) -> Option<usize> {
     // So many sit at a table for a group.
@@ -197,7 +200,8 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     let many = is_many(brief, at);
     let plural = (thing.number == Number::Plural || many) && thing.part.is_none();
     let is_group = plural && matches!(thing.name().as_str(), "group table" | "shared table");
-    if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| is_group) {
+    let usual = (kind.people as usize).min(MOST_AT_GROUPS);
+    if let Some(people) = brief.rooms.get(thing.room)?.people.or(Some(usual)).filter(|_| is_group) {
         return Some(people.div_ceil(GROUP).max(2));
     }
     // Two sleep in a bunk bed, and those of two children are one.
