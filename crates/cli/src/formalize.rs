@@ -278,7 +278,26 @@ pub fn notes(reading: &Reading) -> String {
     for narrowed in told_narrowed(reading) {
         let _ = writeln!(out, "{narrowed}");
     }
+    if let Some(left_out) = told_left_out(reading) {
+        let _ = writeln!(out, "{left_out}");
+    }
     out
+}
+
+/// What usually belongs in such a room and was left out again, in a sentence.
+fn told_left_out(reading: &Reading) -> Option<String> {
+    const NAMED: usize = 6;
+    let left_out = &reading.draft.left_out;
+    let more: usize = left_out.iter().skip(NAMED).map(|(_, count)| count).sum();
+    let named = left_out.iter().take(NAMED).map(|(category, count)| match category.replace('_', " ") {
+        noun if *count > 1 => format!("{noun} ({count})"),
+        noun => noun,
+    });
+    let more = (more > 0).then(|| format!("{more} more objects"));
+    let all: Vec<String> = named.chain(more).collect();
+    let (last, first) = all.split_last()?;
+    let list = if first.is_empty() { last.clone() } else { format!("{} and {last}", first.join(", ")) };
+    Some(format!("left out, because no layout was found with them: {list}"))
 }
 
 /// What opens less far than is useful, each in a sentence.
@@ -391,6 +410,7 @@ pub fn summary(reading: &Reading) -> serde_json::Value {
         "absent": reading.absent.iter().map(|(name, _)| name).collect::<Vec<_>>(),
         "inferred": inferred(reading),
         "narrowed": told_narrowed(reading),
+        "left_out": reading.draft.left_out.iter().map(|(category, count)| json!({ "category": category.replace('_', " "), "count": count })).collect::<Vec<_>>(),
     })
 }
 

@@ -20,6 +20,8 @@ pub struct Draft {
     pub statements: Vec<Statement>,
     /// What opens less far than is useful, because its room has no place for more.
     pub narrowed: Vec<Narrowed>,
+    /// What a room of its kind has, but was left out again because no layout was found with it: a category and how many.
+    pub left_out: Vec<(String, usize)>,
     /// The parts of the request that became no statement.
     pub notes: Vec<Note>,
     /// Whether the program takes over the guidelines of the library.

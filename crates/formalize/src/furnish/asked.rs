@@ -189,7 +189,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         straighten(plan, thing);
     }
     // Who waits on a bench is in nobody's way.
-    let is_seat_aside = noun == "bench" && own.is_none() && it.count <= 2 && !plan.draft.outdoor && !plan.is_placed(thing);
+    let is_seat_aside =
+        noun == "bench" && own.is_none() && it.count <= 2 && !plan.draft.outdoor && !plan.is_placed(thing);
     let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     // What is watched stands across from where one sits.
     let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));
@@ -418,8 +419,7 @@ fn keep_gaps(plan: &mut Plan, thing: usize, [width, height, depth]: [f64; 3]) {
     if it.count < SEVERAL || !matches!(stand::group(&it.category), Group::Floor | Group::Storage) {
         return;
     }
-    let places: Vec<Pose> =
-        (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
+    let places: Vec<Pose> = (0..it.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", it.name))).collect();
     let Some(ground) = &mut plan.ground else { return };
     for pair in places.windows(2) {
         let [a, b] = [pair[0], pair[1]];

@@ -65,6 +65,12 @@ impl Draft {
             }
             gone.extend(more);
         }
+        for thing in self.things.iter().filter(|thing| gone.contains(&thing.name)) {
+            match self.left_out.iter_mut().find(|(category, _)| *category == thing.category) {
+                Some((_, count)) => *count += thing.count,
+                None => self.left_out.push((thing.category.clone(), thing.count)),
+            }
+        }
         self.statements.retain(|s| !words(&s.text).iter().any(|name| gone.contains(*name)));
         self.things.retain(|t| !gone.contains(&t.name));
         self.openings.retain(|o| !gone.contains(&o.name));
