@@ -20,6 +20,8 @@ use std::cell::{Cell, RefCell};
 const SERVED: usize = 4;
 /// Several things with a place of their own are so far apart (metres).
 const APART: f64 = 0.8;
+/// What is said to be so stands away from the walls.
+const FREE: [&str; 2] = ["freestanding", "free-standing"];
 /// Before this an island stands.
 const COUNTER: &str = "kitchen counter";
 /// The width of a desk for two (metres).
@@ -163,7 +165,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
     let apart = (it.count == 1 || groups::is_visited(&noun, plan.kind.dress))
-        && matches!(own, Some(Place::Floor | Place::Middle));
+        && matches!(own, Some(Place::Floor | Place::Middle))
+        || it.count == 1 && it.look.features.iter().any(|feature| FREE.contains(&feature.as_str()));
     let special =
         |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
     // A car stands in line with the gate, and so does what lifts it.
@@ -172,7 +175,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // Several robots stand at the conveyor, as one does.
     let several = |line: &&Line| matches!(line.place, Place::Service(_) | Place::Before(_, 0.0)) && it.count <= SERVED;
     let own_place = line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !plan.is_placed(thing));
-    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run));
+    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run)) && !apart;
     // Who serves stands behind a counter.
     let is_served = own_place.is_some_and(|line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_)));
     let has_back = stand::has_back(&it.category) && !apart && !is_served;

@@ -353,7 +353,7 @@ impl Choice<'_> {
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
             // Behind a door nothing is seen but what one leaves there.
             let door = match self.noun.starts_with("shopping") {
-                true => floor.away_from_door(pose) * 0.3,
+                true => floor.away_from_door(pose) * 0.1 + if pose.z > 0.0 { 1.0 } else { 0.0 },
                 false => (2.0 - floor.away_from_door(pose)).max(0.0) * if at_door { 0.2 } else { 0.9 },
             };
             Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door + self.to_near(pose) * 0.8)

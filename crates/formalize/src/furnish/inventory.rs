@@ -81,7 +81,8 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
     let seats = has_seats(plan, line.noun) || matches!(line.place, Place::Rows(_)) && is_desk(line.noun);
     let seated = seats && several_tables(plan);
-    if plan.counted < line.least || closed || seated || plan.is_furnished() || came_along(plan, line) {
+    let is_small = plan.counted < line.least && !shows_on(plan, line);
+    if is_small || closed || seated || plan.is_furnished() || came_along(plan, line) {
         return;
     }
     // No one screen is seen from beds at opposite walls.
@@ -110,6 +111,12 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         }
         _ => single(plan, line, n, &why),
     }
+}
+
+/// Whether a projector that is asked for needs this screen.
+fn shows_on(plan: &Plan, line: &Line) -> bool {
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    line.noun == "projection screen" && here.any(|t| t.category.ends_with("projector"))
 }
 
 /// Whether books are asked for, of which nobody says how many: "lots of books".

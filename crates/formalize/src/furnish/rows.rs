@@ -109,7 +109,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let is_table = stand::group(noun) == crate::brief::Group::Table;
     let more = if asked.is_some() && is_table { &FARTHER[..] } else { &FARTHER[..2] };
     // Nearer to each other, too, where something is in the way of tables that are spread.
-    let spreads = if is_table { &[SPREAD, 0.0][..] } else { &[SPREAD][..] };
+    let spreads = if is_table { &[SPREAD, 0.95, 0.6, 0.0][..] } else { &[SPREAD][..] };
     let tries = more.iter().flat_map(|more| spreads.iter().map(move |spread| (toward, *more, *spread)));
     let tries = tries.filter_map(|how| {
         let upright = || grid(plan, [w, d], noun, size, reach, n, how);
@@ -268,7 +268,7 @@ const TABLES: f64 = 0.9;
 const SEATED: f64 = 0.3;
 /// Around what is moved aside there is so much free.
 const ROUND: f64 = 0.3;
-const BACKS: f64 = 0.4;
+const BACKS: f64 = 0.7;
 /// Between the backs of chairs and the walls.
 const BESIDE_TABLES: f64 = 0.7;
 /// Between groups of desks.
@@ -494,10 +494,12 @@ fn cells(
 
 /// Desks that face each other in groups of four, spread over the floor; `front` is how far one reaches with its chair.
 fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, n: usize) -> Option<Vec<Pose>> {
-    let (side, each) = (0.9, 2);
+    const BESIDE: f64 = 0.9;
+    const BEHIND_CHAIRS: f64 = 0.7;
+    let each = 2;
     let groups = n.div_ceil(2 * each);
     let (wide, deep) = (each as f64 * size[0] + 0.02, 2.0 * front + size[2] + 0.02);
-    let (free_w, free_d) = (w - 2.0 * side, d - 2.0 * side);
+    let (free_w, free_d) = (w - 2.0 * BESIDE, d - 2.0 * BEHIND_CHAIRS);
     if wide > free_w || deep > free_d {
         return None;
     }
