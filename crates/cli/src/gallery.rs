@@ -75,8 +75,10 @@ fn fail(message: &str) -> u8 {
 /// A family in all sizes.
 fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
     let noun = family.replace('_', " ");
-    let alias = || categories().filter(|alias| family_of(alias, "") == Some(family)).find_map(usual_size);
-    let usual = usual_size(&noun).or_else(alias).map_or_else(|| Vec3::repeat(EDGE), Vec3::from);
+    // A family that is no category itself is as large as the first one that it draws.
+    let drawn_by = || categories().filter(|category| family_of(category, "") == Some(family));
+    let named = drawn_by().find(|category| *category == noun).or_else(|| drawn_by().next());
+    let usual = named.and_then(usual_size).or_else(|| usual_size(&noun)).map_or_else(|| Vec3::repeat(EDGE), Vec3::from);
     let mut text = format!("<section><h2>{noun}</h2><div>");
     for (size, factor) in SIZES {
         let asset = furnish(&Request { name: "it", category: &noun, size: Some(usual * factor), ..Request::default() });

@@ -55,9 +55,13 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// The usual size (width, height, depth in metres) of a category: that of the furniture it names, else that of the noun.
+/// The usual size (width, height, depth in metres) of a category: that of the furniture that its whole name or its ending
+/// names, or of the noun if no furniture is called so, else that of the last word that is furniture.
 pub fn usual_size(category: &str) -> Option<[f64; 3]> {
-    furniture_size(category).or_else(|| crate::nouns::noun(&words(category).join("_")).map(|noun| noun.size))
+    let words = words(category);
+    let noun = |name: &str| crate::nouns::noun(name).map(|noun| noun.size);
+    let whole = words.join("_");
+    lookup(&whole).or_else(|| noun(&whole)).or_else(|| furniture_size(category))
 }
 
 /// The usual size of furniture: the whole text, else its last word that the table has ("oak dining table" is a dining
@@ -200,6 +204,7 @@ mod tests {
         let chair = usual_size("chair").unwrap();
         assert_eq!(usual_size("blue chair"), Some(chair));
         assert_eq!(usual_size("chairs"), Some(chair));
+        assert_eq!(usual_size("paper shredder"), Some([0.35, 0.55, 0.25]), "and not the size of paper");
         assert_eq!(usual_size("quux"), None);
     }
 
