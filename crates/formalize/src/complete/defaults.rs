@@ -18,6 +18,8 @@ pub fn counted(brief: &mut Brief) {
 /// Tables at which nobody sits with others.
 const FOR_ONE: [&str; 9] =
     ["dressing", "vanity", "makeup", "changing", "coffee", "side", "console", "bedside", "ironing"];
+/// At a sideboard or a dresser nobody sits at all.
+const SAT_AT: [&str; 5] = ["table", "desk", "island", "counter", "bar"];
 /// So many sit at an island.
 const AT_ISLAND: usize = 3;
 
@@ -37,7 +39,8 @@ pub fn seats(brief: &mut Brief) {
     // A couple does not sit at the desk of its bedroom, nor at its dressing table.
     let for_one = |i: &Thing| i.words.iter().any(|word| FOR_ONE.contains(&word.as_str()));
     let works = |i: &Thing| i.places.is_none() && (i.words.last().is_some_and(|word| word == "desk") || for_one(i));
-    let sits = |i: &Thing| i.group == Group::Table && one(i) && open(i) && seats_all(i) && !works(i);
+    let sat_at = |i: &Thing| i.words.last().is_some_and(|word| SAT_AT.iter().any(|end| word.ends_with(end)));
+    let sits = |i: &Thing| i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i);
     let why = format!("{people} people sit there");
     let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");
     let table = match brief.things.iter().position(|i| sits(i) && !is_island(i)) {

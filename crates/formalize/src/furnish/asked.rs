@@ -132,7 +132,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // Where such rooms have their own of it, it stands as those do.
     // A kitchen is no counter at which guests are served.
     let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
-    let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line));
+    // Nor is a desk to work at one at which visitors are received.
+    let is_other = |line: &&Line| is_reception(&noun) && line.noun != noun && !stand::are_kin(line.noun, &noun);
+    let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line) && !is_other(line));
     let line = lines.find(|line| stand::counts_as(line.noun, &noun)).or_else(|| received(plan, &noun));
     let own = line.map(|line| &line.place);
     let is_table = stand::group(&it.category) == Group::Table;
@@ -219,12 +221,16 @@ fn is_parked(noun: &str) -> bool {
     noun == "bike" || PARKED.iter().any(|end| noun.ends_with(end))
 }
 
+fn is_reception(noun: &str) -> bool {
+    noun.ends_with("reception desk") || noun.ends_with("front desk")
+}
+
 /// A desk or a counter at which visitors are received stands as in a reception, and a bar as in a pub, in rooms that usually
 /// have none.
 fn received(plan: &Plan, noun: &str) -> Option<&'static Line> {
     const COUNTERS: [&str; 4] = ["counter", "service counter", "shop counter", "customer counter"];
     const BARS: [&str; 2] = ["bar counter", "bar"];
-    let desk = noun.ends_with("reception desk") || noun.ends_with("front desk");
+    let desk = is_reception(noun);
     let public = plan.kind.home.is_none();
     let (kind, own) = match () {
         () if desk || public && COUNTERS.contains(&noun) => ("reception", "reception desk"),

@@ -116,6 +116,7 @@ pub fn refine(brief: &mut Brief) {
     whom::persons(brief);
     whom::children(brief);
     whom::pupils(brief);
+    whom::instruments(brief);
     named(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);

@@ -97,11 +97,14 @@ fn put(plan: &mut Plan, at: usize, of: usize) -> bool {
     let (thing, carrier) = (plan.draft.things[at].clone(), plan.draft.things[of].clone());
     let Some(own) = thing.size else { return false };
     let noun = thing.category.replace('_', " ");
-    let Some(places) = places(plan, of, own, &noun, thing.count) else { return false };
-    let anchor = if carrier.count > 1 { format!("{}[0]", carrier.name) } else { carrier.name.clone() };
+    // As many on each of several carriers, if there is at least one for each.
+    let each = if thing.count >= carrier.count { thing.count.div_ceil(carrier.count) } else { thing.count };
+    let Some(places) = places(plan, of, own, &noun, each) else { return false };
+    let anchor =
+        |j: usize| if carrier.count > 1 { format!("{}[{}]", carrier.name, j / each) } else { carrier.name.clone() };
     let element = |j: usize| if thing.count > 1 { format!("{}[{j}]", thing.name) } else { thing.name.clone() };
     let fixed: Vec<String> =
-        places.iter().enumerate().map(|(j, slot)| place::fixed(&element(j), &anchor, slot, own[1], 0.0)).collect();
+        (0..thing.count).map(|j| place::fixed(&element(j), &anchor(j), &places[j % each], own[1], 0.0)).collect();
     let why = format!("{} stands on {}", a(&noun), a(&carrier.category.replace('_', " ")));
     plan.say(format!("assert {};", fixed.join(" and ")), &why);
     plan.loads.extend(places.iter().map(|slot| (of, Taken::by(slot, own))));

@@ -1,6 +1,7 @@
 //! Whom a room is for: no thing in it, and, for children who share a bedroom, a room with a bed for each.
 
-use super::kinds;
+use super::groups::{self, Where};
+use super::kinds::{self, Count, Line};
 use crate::brief::{Brief, Group, Number};
 
 /// What comes before who a room is for.
@@ -54,6 +55,28 @@ pub fn persons(brief: &mut Brief) {
             }
         }
         brief.remove(&gone);
+    }
+}
+
+/// Ten microscopes are those of ten people, each with a place at a bench.
+pub fn instruments(brief: &mut Brief) {
+    const FEWEST: usize = 4;
+    for at in 0..brief.rooms.len() {
+        let room = &brief.rooms[at];
+        let Some(kind) = kinds::of(&room.name).filter(|kind| room.people.is_none() && kind.home.is_none()) else {
+            continue;
+        };
+        let places = || kind.lines.iter().filter(|line| matches!(line.count, Count::People(_)));
+        let has = |line: &Line, name: &str| {
+            let parts = groups::of(line.noun, kind.dress).iter();
+            parts.filter(|part| matches!(part.at, Where::Top(..))).any(|part| part.noun == name)
+        };
+        let own = brief.things.iter().filter(|thing| thing.room == at && thing.part.is_none());
+        let used = own.filter(|thing| places().any(|line| has(line, &thing.name())));
+        let said = used.filter_map(|thing| thing.number.said()).max().filter(|n| *n >= FEWEST);
+        if said.is_some() {
+            brief.rooms[at].people = said;
+        }
     }
 }
 

@@ -168,6 +168,62 @@ pub(super) fn family(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A guest room that doubles as a home office": it has a desk, too.
+pub(super) fn doubles(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const LONGEST: usize = 3;
+    const USES: [(&[&str], &[&str]); 7] = [
+        (&["office", "study", "workspace"], &["a", "desk"]),
+        (&["guest room", "guest bedroom", "spare room"], &["a", "sofa", "bed"]),
+        (&["playroom", "play room", "nursery"], &["a", "play", "mat", "and", "a", "toy", "box"]),
+        (&["gym", "fitness room"], &["an", "exercise", "mat", "and", "a", "dumbbell", "rack"]),
+        (&["library", "reading room"], &["two", "bookshelves"]),
+        (&["workshop", "craft room"], &["a", "workbench"]),
+        (&["dining room"], &["a", "dining", "table"]),
+    ];
+    let first = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
+        ["that" | "which", "doubles", "as"] => i + 3,
+        ["that" | "which", "is", "also"] => i + 3,
+        ["doubling", "as", _] => i + 2,
+        _ => return false,
+    };
+    let first = first + usize::from(matches!(word(tokens, first), "a" | "an" | "the"));
+    let found = (1..=LONGEST).rev().find_map(|n| {
+        let said: Vec<&str> = (first..first + n).map(|k| word(tokens, k)).collect();
+        let said = said.join(" ");
+        let is = |name: &&str| said == **name || said.ends_with(&format!(" {name}"));
+        USES.iter().find(|(names, _)| names.iter().any(|name| is(&name))).map(|(_, has)| (first + n, *has))
+    });
+    let Some((end, has)) = found else { return false };
+    let goes_on = word(tokens, end) == "with";
+    if goes_on {
+        put(tokens, end, end + 1, &["and"]);
+    }
+    let words: Vec<&str> = std::iter::once("with").chain(has.iter().copied()).collect();
+    put(tokens, i, end, &words);
+    true
+}
+
+/// "A walk-in wardrobe corner" of a bedroom: two wardrobes side by side.
+pub(super) fn walk_in(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let wardrobe = matches!(word(tokens, i + 1), "wardrobe" | "closet");
+    let part = matches!(word(tokens, i + 2), "corner" | "area" | "nook" | "zone");
+    if word(tokens, i) != "walk-in" || !wardrobe || !part {
+        return false;
+    }
+    let article = usize::from(i > 0 && matches!(word(tokens, i - 1), "a" | "the"));
+    put(tokens, i - article, i + 3, &["two", "wardrobes"]);
+    true
+}
+
+/// "A warehouse with two loading docks": a gate for each, with pallets.
+pub(super) fn docks(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let docks = matches!(word(tokens, i), "loading") && matches!(word(tokens, i + 1), "docks" | "bays" | "gates");
+    if docks {
+        put(tokens, i, i + 2, &["garage", "doors"]);
+    }
+    docks
+}
+
 /// "A kitchen-diner": a kitchen that one eats in.
 pub(super) fn kitchen_diner(tokens: &mut Vec<Token>, i: usize) -> bool {
     let diner = word(tokens, i) == "kitchen-diner";
@@ -264,6 +320,10 @@ mod tests {
             ("a wall of stone", "a wall of stone"),
             ("a three-bedroom family house", "a three-bedroom house for four people"),
             ("a family home for five with a garden", "a home for five with a garden"),
+            ("a guest room that doubles as a home office", "a guest room with a desk"),
+            ("a study doubling as a guest room with a lamp", "a study with a sofa bed and a lamp"),
+            ("a bedroom with a walk-in wardrobe corner and a lamp", "a bedroom with two wardrobes and a lamp"),
+            ("a depot with two loading docks", "a depot with two garage doors"),
             ("a house with a kitchen-diner", "a house with a dining kitchen"),
             ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
             ("an office for two teams of six people", "an office for 12 people"),

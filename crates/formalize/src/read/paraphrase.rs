@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 30] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 33] = [
             apart,
             together,
             each_other,
@@ -36,6 +36,9 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::seating,
             meant::family,
             meant::kitchen_diner,
+            meant::doubles,
+            meant::walk_in,
+            meant::docks,
             meant::teams,
             meant::whose,
             meant::bedrooms,
