@@ -39,6 +39,25 @@ const SMALL: f64 = 0.45;
 /// Things beside things beside things: so many in a chain.
 const CHAIN: usize = 4;
 
+/// "An island and a window over the sink": of several things only those are over another that can be, if there are any.
+fn hang(brief: &mut Brief) {
+    for k in 0..brief.facts.len() {
+        if !matches!(brief.facts[k].what, What::Rel(Rel::Above, _)) || brief.facts[k].of.len() < 2 {
+            continue;
+        }
+        let hangs = |a: &usize| {
+            let thing = &brief.things[*a];
+            thing.opening() || matches!(thing.group, Group::Wall | Group::Ceiling | Group::Screen)
+        };
+        let stands =
+            |a: &usize| matches!(brief.things[*a].group, Group::Floor | Group::Table | Group::Seat | Group::Bed);
+        let over: Vec<usize> = brief.facts[k].of.iter().copied().filter(|a| !stands(a)).collect();
+        if over.iter().any(hangs) {
+            brief.facts[k].of = over;
+        }
+    }
+}
+
 /// Settles it.
 pub fn settle(brief: &mut Brief) {
     for _ in 0..CHAIN {
@@ -48,6 +67,7 @@ pub fn settle(brief: &mut Brief) {
         }
         small.into_iter().for_each(|a| brief.things[a].group = Group::Top);
     }
+    hang(brief);
     let mut added: Vec<(usize, Fact)> = Vec::new();
     for k in 0..brief.facts.len() {
         let fact = &brief.facts[k];

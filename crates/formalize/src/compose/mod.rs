@@ -8,7 +8,7 @@ mod usual;
 
 use crate::brief::{Brief, Group, Look, Rel, What, too_many};
 use crate::draft::{Draft, Note, Opening, OpeningKind, Room, Source, Surface, Thing};
-use crate::furnish::kinds;
+use crate::furnish::{GATE, kinds};
 use crate::names::{Names, identifier};
 
 /// Kinds of rooms that have no ceiling.
@@ -135,7 +135,7 @@ fn declare(
                 draft.openings.push(Opening {
                     name: name.clone(),
                     kind,
-                    category: None,
+                    category: for_goods(&item.name()).then(|| GATE.to_owned()),
                     rooms: rooms.clone(),
                     size,
                     look: item.look.clone(),
@@ -239,4 +239,9 @@ fn polygon(corners: usize, w: f64, d: f64) -> Vec<[f64; 2]> {
             [angle.sin() * w / 2.0 / reach, angle.cos() * d / 2.0 / reach].map(|v| (v * 1e4).round() / 1e4)
         })
         .collect()
+}
+
+/// Whether a door that is asked for is one for cars and goods.
+fn for_goods(name: &str) -> bool {
+    ["garage door", "roller door", "roller shutter", "loading door"].iter().any(|end| name.ends_with(end))
 }

@@ -204,6 +204,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         line: own_place,
         at_wall: has_back || at_wall_like || is_seat_aside,
         in_run,
+        central: own == Some(&Place::Middle) && it.count == 1 && is_table && !plan.is_placed(thing),
         aside,
         looks_at,
         by: line.map_or("", |line| line.by),
@@ -248,6 +249,8 @@ struct Like {
     at_wall: bool,
     /// In a run.
     in_run: bool,
+    /// In the middle of the room.
+    central: bool,
     /// In a corner, or at least at a wall.
     aside: bool,
     /// Across from what stands here.
@@ -312,7 +315,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
     let turn = [island_turn(plan)];
-    let central = says(&format!("centeredIn({},", it.name));
+    let central = like.central || says(&format!("centeredIn({},", it.name));
     let yaws: &[f64] = match says(&format!("{}.rot.y = 90", it.name)) {
         true => &[90.0],
         false if it.category.ends_with("island") => &turn,
@@ -328,8 +331,8 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
             Some(pose)
-        } else if central {
-            choice.middle(floor, shape, yaws)
+        } else if let Some(pose) = central.then(|| choice.middle(floor, shape, yaws)).flatten() {
+            Some(pose)
         } else if let Some(pose) = received.then(|| choice.received_at(floor, shape)).flatten() {
             Some(pose)
         } else if let Some((line, nominal)) = own {

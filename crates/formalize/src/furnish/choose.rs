@@ -60,6 +60,8 @@ const ALONG_WALL: f64 = 0.05;
 const WINDOW_SEAT: &str = "window seat";
 /// What belongs at a window costs so much more elsewhere.
 const AWAY_FROM_WINDOW: f64 = 6.0;
+/// A cistern before a window costs so much.
+const BEFORE_WINDOW: f64 = 0.8;
 /// What stands in the middle of a wall.
 const CENTRED: [&str; 3] = ["sideboard", "credenza", "fireplace"];
 /// Beds that lie along a wall.
@@ -141,6 +143,9 @@ impl Choice<'_> {
         }
         cost += self.to_near(pose) * 0.8;
         let lit = self.windows.contains(&wall);
+        if lit && self.is(&["toilet"]) {
+            cost += BEFORE_WINDOW;
+        }
         if (self.noun.starts_with(stand::AT_WINDOW) || self.is(&[WINDOW_SEAT])) && !lit {
             cost += AWAY_FROM_WINDOW;
         }

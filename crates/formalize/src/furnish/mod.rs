@@ -43,6 +43,7 @@ mod whom;
 use crate::brief::{Brief, Fact, Group, Number, Pattern, What};
 use crate::draft::{Draft, Source, Thing};
 pub use area::overfull;
+pub(crate) use gates::GATE;
 use number::{Scale, scale};
 
 /// Why a robot has a fence that nobody asked for.
@@ -209,7 +210,13 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| plural && thing.name() == "bunk bed") {
         return Some(people.div_ceil(2));
     }
-    let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &thing.name()));
+    // "Cushions" in a tea house: as many as there are places at its tables.
+    if let Some(places) = at_tables(kind, brief.rooms.get(thing.room)?.people, &thing.name()).filter(|_| plural) {
+        return Some(places);
+    }
+    let name =
+        kind.means.iter().find(|(said, _)| *said == thing.name()).map_or(thing.name(), |(_, noun)| (*noun).into());
+    let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &name));
     let least = (many && thing.part.is_none()).then_some(MANY);
     // "High tables" in a bar: as many as its people need, whatever they are called.
     let eats = |line: &&kinds::Line| {
@@ -223,6 +230,21 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     });
     let usual = own.and_then(|line| usual_number(brief, at, kind, line, plural));
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
+}
+
+/// How many seats of a name stand around the tables of such a room, for so many people.
+fn at_tables(kind: &kinds::Kind, people: Option<usize>, seat: &str) -> Option<usize> {
+    let seat = kind.means.iter().find(|(said, _)| *said == seat)?.1;
+    let people = people.map_or(kind.people, |people| people as f64);
+    kind.lines.iter().find_map(|line| {
+        let kinds::Count::People(each) = line.count else { return None };
+        let parts = groups::of(line.noun, kind.dress).iter();
+        let mut around = parts.filter(|part| part.noun == seat).filter_map(|part| match part.at {
+            groups::Where::Around(n, _) => Some(n),
+            _ => None,
+        });
+        around.next().map(|n| (people / each).ceil() as usize * n)
+    })
 }
 
 /// Whether "many" of a thing are asked for.
