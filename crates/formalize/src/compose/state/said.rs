@@ -23,12 +23,18 @@ pub(super) struct Said {
     pub verb: &'static str,
     /// Of one thing it is said of all the others: "the bin is near every desk".
     pub all: bool,
+    /// Of each it is said of some one of the others: "each table is near a pillar".
+    pub any: bool,
 }
 
 impl Named<'_> {
     /// A formula for each element of the one with its partner.
     pub(super) fn matched(&self, said: &Said, f: &dyn Fn(&str, &str) -> String) -> String {
-        if said.all { self.every(said.a, said.b, f) } else { self.pairs(said.a, said.b, f) }
+        match said {
+            Said { all: true, .. } => self.every(said.a, said.b, f),
+            Said { any: true, .. } => self.some(said.a, said.b, f),
+            _ => self.pairs(said.a, said.b, f),
+        }
     }
 
     /// On, in, and under a thing.
