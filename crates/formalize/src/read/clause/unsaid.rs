@@ -65,7 +65,9 @@ impl Reader<'_> {
     /// "A chair for every desk", of which nobody has spoken: so many as nobody knows.
     pub(super) fn for_unknown(&self, i: usize, end: usize) -> bool {
         let each = |np: &&Np| np.kind == Kind::Thing && np.det == Det::Each && np.known && np.group.is_some();
-        self.word_at(i, 0) == "for" && self.np(i + 1, end).filter(each).is_some_and(|np| self.find(np).is_none())
+        let named = |np: &Np| self.chunks[..i].iter().any(|c| c.np().is_some_and(|other| other.words == np.words));
+        let unknown = |np: &Np| self.find(np).is_none() && !named(np);
+        self.word_at(i, 0) == "for" && self.np(i + 1, end).filter(each).is_some_and(unknown)
     }
 
     /// "At the same height as the shelf", "the same distance from the table"; where that begins and ends.
