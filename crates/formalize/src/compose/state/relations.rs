@@ -25,7 +25,7 @@ impl Named<'_> {
         // "the bin is near every desk": of one thing it is said of all the others.
         let all = fact.object == Quantifier::Each
             && self.array(b)
-            && (self.counts[a] == 1 || fact.subject == Quantifier::Each);
+            && (self.counts[a] == 1 || fact.subject == Quantifier::Each && matches!(rel, Rel::Near | Rel::Visible));
         let said = Said { a, rel, b, verb, all, any: fact.object == Quantifier::Any };
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(&said, f);
         if denied {

@@ -2,7 +2,7 @@
 
 use super::Named;
 use super::relations::{ACROSS, BEFORE, DRAWN_UP, NEAR, predicate};
-use crate::brief::{Group, Rel, What};
+use crate::brief::{Group, Place, Rel, What};
 use crate::compose::sizes;
 use crate::write::number;
 
@@ -206,9 +206,17 @@ impl Named<'_> {
         }
     }
 
+    /// Whether something hangs on a wall that is said to be above what stands in the middle of the room: not both can be.
+    fn far_from_wall(&self, a: usize, b: usize) -> bool {
+        let on_wall = |w: &What| matches!(w, What::Place(rel, Place::Wall, _) if *rel != Rel::Near);
+        let middle = |w: &What| matches!(w, What::Place(rel, Place::Middle, _) if *rel != Rel::Near);
+        self.said(a, on_wall) && self.said(b, middle)
+    }
+
     /// Left, right and above; parallel and aligned.
     pub(super) fn ordered_rel(&self, said: &Said, out: &mut Vec<String>) {
         let Said { a, rel, b, verb, .. } = *said;
+        let verb = if rel == Rel::Above && self.far_from_wall(a, b) { "prefer" } else { verb };
         let (ga, gb, m) = (self.group(a), self.group(b), self.counts[b]);
         let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);

@@ -210,7 +210,7 @@ impl Reader<'_> {
         } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
             self.s.lead.push((rel, Lead::Place(place, which)));
         } else if negative {
-            self.not_at_place(i..next, &of, rel, place, which);
+            self.not_at_place(i..next, &of, rel, place, &which);
         } else {
             // "a table with two chairs in the corner": the table stands there.
             let of = match &self.s.expect {
@@ -234,7 +234,7 @@ impl Reader<'_> {
     }
 
     /// Not at a wall, not in a corner; of other places, and of one wall among several, nothing says that.
-    fn not_at_place(&mut self, chunks: Range<usize>, of: &[usize], rel: Rel, place: Place, which: Vec<String>) {
+    fn not_at_place(&mut self, chunks: Range<usize>, of: &[usize], rel: Rel, place: Place, which: &[String]) {
         let any = which.iter().all(|which| which == "each");
         let there = matches!(rel, Rel::At | Rel::Against | Rel::In | Rel::On | Rel::Along | Rel::Mounted);
         let stands = !of.iter().any(|o| self.brief.things[*o].opening());

@@ -31,7 +31,7 @@ impl Reader<'_> {
             ("most" | "some" | "many" | "few" | "several", "of") => 1,
             ("a", "few" | "couple" | "number") => 2,
             ("at", "least" | "most") | ("more" | "fewer" | "less", "than") if counts(2) => 3,
-            ("exactly" | "precisely", _) if counts(1) => 2,
+            ("exactly" | "precisely" | "just", _) if counts(1) && self.some_only(i, end).is_none() => 2,
             ("some" | "most" | "many" | "several" | "few", _) => return self.some_known(i, end),
             // "in two of the corners"
             (_, "of") if counts(0) => return these(2) && matches!(word(3), "corners" | "walls"),
