@@ -50,7 +50,8 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         None => return None,
     };
     let elsewhere = brief.facts.iter().any(|f| {
-        f.of.contains(&a)
+        !f.not
+            && f.of.contains(&a)
             && match &f.what {
                 What::Place(_, place, _) => !matches!(place, crate::brief::Place::Middle),
                 What::Rel(rel, _) => !matches!(
@@ -154,7 +155,8 @@ fn spread(n: usize) -> usize {
 /// How deep the largest thing is that stands in the middle of the room; 0: nothing does.
 fn middle(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> f64 {
     let room = brief.things[a].room;
-    let there = brief.facts.iter().filter(|f| matches!(f.what, What::Place(_, crate::brief::Place::Middle, _)));
+    let there =
+        brief.facts.iter().filter(|f| !f.not && matches!(f.what, What::Place(_, crate::brief::Place::Middle, _)));
     let items = there.flat_map(|f| f.of.iter()).filter(|o| **o != a && brief.things[**o].room == room);
     items.map(|o| sizes[*o][0].max(sizes[*o][2])).fold(0.0, f64::max)
 }

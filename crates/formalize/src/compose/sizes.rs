@@ -320,10 +320,9 @@ pub fn rooms(brief: &Brief, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
             if item.group == Group::Flat {
                 need += n * w * d * 0.5;
             }
-            let at_wall = brief
-                .facts
-                .iter()
-                .any(|f| f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _)));
+            let at_wall = brief.facts.iter().any(|f| {
+                !f.not && f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _))
+            });
             if at_wall && !item.opening() || item.opening() && item.part.is_none() {
                 along += n * (w + 0.35);
             }

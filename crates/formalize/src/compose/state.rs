@@ -173,6 +173,14 @@ impl Named<'_> {
         format!("forall a in {of}: exists b in {to}: {}", f("a", "b"))
     }
 
+    /// A formula for each element of `a`, with some one of `b`.
+    fn some(&self, a: usize, b: usize, f: &dyn Fn(&str, &str) -> String) -> String {
+        if self.array(a) && self.array(b) {
+            return format!("forall a in {}: exists b in {}: {}", self.name(a), self.name(b), f("a", "b"));
+        }
+        self.pairs(a, b, f)
+    }
+
     /// A formula for each element of `b`, with the one of `a`, or with some of them.
     fn each(&self, a: usize, b: usize, f: &dyn Fn(&str, &str) -> String) -> String {
         if !self.array(a) {
@@ -234,10 +242,13 @@ impl Named<'_> {
                         self.rel(fact, *of, *rel, *to, &mut out);
                     }
                 }
+                What::Place(rel, place, _) if fact.not => {
+                    out.extend(self.not_at(*of, *rel, *place).map(|t| format!("{verb} {t};")));
+                }
                 What::Place(rel, place, which) => self.place(k, *of, *rel, *place, which, verb, &mut out),
                 What::Gap(op, v, to) => {
                     for to in to {
-                        out.push(format!("{verb} {};", self.gap(*of, *to, *op, *v, fact.object)));
+                        out.push(format!("{verb} {};", self.gap(*of, *to, *op, *v, [fact.subject, fact.object])));
                     }
                 }
                 What::Among(op, v) => out.extend(self.among(*of, *op, *v).map(|t| format!("{verb} {t};"))),

@@ -21,6 +21,8 @@ pub struct Measure {
     pub area: bool,
     /// The lower end of a range, whose upper end is the value: "0.6 to 1.2 m".
     pub least: Option<f64>,
+    /// Whether it is said to be so much and no more: "exactly 1 m".
+    pub exact: bool,
 }
 
 impl Measure {
@@ -81,7 +83,10 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
     }
     let said = op != Op::Equal;
     if let Some((square, n)) = area(&rest[used..]) {
-        return Some((Measure { op, said, values: vec![square], dims, area: true, least: None }, used + n));
+        return Some((
+            Measure { op, said, values: vec![square], dims, area: true, least: None, exact: false },
+            used + n,
+        ));
     }
     let between = range(&rest[used..]).filter(|_| op == Op::Equal);
     let least = between.map(|(least, ..)| least);
@@ -91,7 +96,10 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
             dims.push(dim);
             used += n;
         }
-        return Some((Measure { op: Op::Most, said: true, values: vec![most], dims, area: false, least }, used));
+        return Some((
+            Measure { op: Op::Most, said: true, values: vec![most], dims, area: false, least, exact: false },
+            used,
+        ));
     }
     let (mut values, n) = size(&rest[used..], !dims.is_empty() && dims.iter().all(|d| *d == Dim::Ceiling))?;
     used += n;
@@ -119,7 +127,15 @@ pub fn measure(rest: &[Token]) -> Option<(Measure, usize)> {
         dims.push(dim);
         used += n;
     }
-    Some((Measure { op, said, values, dims, area: false, least }, used))
+    // "Hung no lower than 1.5 m above the floor": how high it is, and not how tall.
+    let floor = |k: usize| rest.get(k).is_some_and(|t| t.is("floor") || t.is("ground"));
+    let above = rest.get(used).is_some_and(|t| t.is("above") || t.is("off"));
+    if dims == [Dim::Height] && before.is_some() && said && above && floor(used + 2) {
+        dims = vec![Dim::Elevation];
+        used += 3;
+    }
+    let exact = op == Op::Equal && rest.first().is_some_and(|t| t.is("exactly") || t.is("precisely"));
+    Some((Measure { op, said, values, dims, area: false, least, exact }, used))
 }
 
 /// "0.6 to 1.2 m", "between 50 cm and 1 m": both ends, and how many tokens.

@@ -24,6 +24,7 @@ mod owner;
 mod paraphrase;
 mod people;
 mod phrases;
+mod quantified;
 mod rooms;
 pub(crate) mod several;
 mod taken_back;

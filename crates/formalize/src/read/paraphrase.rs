@@ -44,7 +44,9 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::bedrooms,
             meant::reception,
         ];
-        let _turned = turns.iter().any(|turn| turn(tokens, i)) || super::taken_back::plain(tokens, i);
+        let _turned = turns.iter().any(|turn| turn(tokens, i))
+            || super::taken_back::plain(tokens, i)
+            || super::quantified::plain(tokens, i);
         i += 1;
     }
 }

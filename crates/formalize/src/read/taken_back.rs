@@ -157,9 +157,11 @@ fn ordinal(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let rest = &tokens[i + 2..];
-    if !ends(tokens, i + 2)
-        && !rest.first().is_some_and(|t| matches!(t.text.as_str(), "is" | "stands" | "has" | "hangs"))
-    {
+    const AFTER: [&str; 14] = [
+        "is", "stands", "has", "hangs", "faces", "by", "near", "at", "against", "beside", "behind", "under", "next",
+        "along",
+    ];
+    if !ends(tokens, i + 2) && !rest.first().is_some_and(|t| AFTER.contains(&t.text.as_str())) {
         return false;
     }
     let first =

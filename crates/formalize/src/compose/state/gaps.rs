@@ -5,9 +5,14 @@ use crate::brief::{Group, Op, Quantifier, Rel, What};
 use crate::write::number;
 
 impl Named<'_> {
-    pub(super) fn gap(&self, a: usize, b: usize, op: Op, v: f64, object: Quantifier) -> String {
+    pub(super) fn gap(&self, a: usize, b: usize, op: Op, v: f64, [subject, object]: [Quantifier; 2]) -> String {
         match op {
             Op::Least => self.every(a, b, &|x, y| format!("far({x}, {y}, {})", number(v))),
+            // "every table within 3 m of every pillar"
+            Op::Most if subject == Quantifier::Each && object == Quantifier::Each => {
+                self.every(a, b, &|x, y| format!("near({x}, {y}, {})", number(v)))
+            }
+            Op::Most if object == Quantifier::Any => self.some(a, b, &|x, y| format!("near({x}, {y}, {})", number(v))),
             // "a shower within 3 m of every bench"
             Op::Most if object == Quantifier::Each && self.counts[b] > 1 => {
                 self.each(a, b, &|x, y| format!("near({x}, {y}, {})", number(v)))

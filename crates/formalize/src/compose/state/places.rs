@@ -91,6 +91,20 @@ impl Named<'_> {
         }
     }
 
+    /// Where a thing must not stand; `None`: no statement denies this place.
+    pub(super) fn not_at(&self, a: usize, rel: Rel, place: Place) -> Option<String> {
+        let room = self.room(a);
+        let up = matches!(self.group(a), Group::Wall | Group::Screen | Group::Drape) || rel == Rel::Mounted;
+        let predicate = match place {
+            Place::Wall if up => "wallMounted",
+            Place::Wall => "againstWall",
+            Place::Corner => "inCorner",
+            Place::Middle => "centeredIn",
+            _ => return None,
+        };
+        Some(self.all(a, |x| format!("not {predicate}({x}, {room})")))
+    }
+
     /// What a relation to a wall says that is no contact with it.
     fn off_wall(&self, a: usize, rel: Rel, which: &[String]) -> Option<String> {
         let room = self.room(a);
@@ -214,7 +228,7 @@ impl Named<'_> {
                 (_, "opposite" | "other" | "same" | "opposing") => {
                     let here = |b: usize| b != a && self.brief.things[b].room == self.brief.things[a].room;
                     let other = self.brief.facts[..k].iter().rev().find_map(|f| {
-                        let at_wall = matches!(f.what, What::Place(_, Place::Wall, _)) && !f.of.contains(&a);
+                        let at_wall = !f.not && matches!(f.what, What::Place(_, Place::Wall, _)) && !f.of.contains(&a);
                         f.of.first().copied().filter(|b| at_wall && here(*b))
                     });
                     // Opposite to what was spoken of before, if nothing was said of a wall.

@@ -23,8 +23,10 @@ impl Named<'_> {
         let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
         let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
         // "the bin is near every desk": of one thing it is said of all the others.
-        let all = fact.object == Quantifier::Each && self.counts[a] == 1 && self.array(b);
-        let said = Said { a, rel, b, verb, all };
+        let all = fact.object == Quantifier::Each
+            && self.array(b)
+            && (self.counts[a] == 1 || fact.subject == Quantifier::Each && matches!(rel, Rel::Near | Rel::Visible));
+        let said = Said { a, rel, b, verb, all, any: fact.object == Quantifier::Any };
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(&said, f);
         if denied {
             let p = predicate(rel);
@@ -153,7 +155,9 @@ impl Named<'_> {
             matches!(w, What::Place(_, Place::Wall, _))
                 && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat)
         }) && self.brief.facts.iter().any(|f| {
-            f.of.contains(&item) && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
+            !f.not
+                && f.of.contains(&item)
+                && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::Named;
 use super::relations::{ACROSS, BEFORE, DRAWN_UP, NEAR, predicate};
-use crate::brief::{Group, Rel, What};
+use crate::brief::{Group, Place, Rel, What};
 use crate::compose::sizes;
 use crate::write::number;
 
@@ -23,12 +23,18 @@ pub(super) struct Said {
     pub verb: &'static str,
     /// Of one thing it is said of all the others: "the bin is near every desk".
     pub all: bool,
+    /// Of each it is said of some one of the others: "each table is near a pillar".
+    pub any: bool,
 }
 
 impl Named<'_> {
     /// A formula for each element of the one with its partner.
     pub(super) fn matched(&self, said: &Said, f: &dyn Fn(&str, &str) -> String) -> String {
-        if said.all { self.every(said.a, said.b, f) } else { self.pairs(said.a, said.b, f) }
+        match said {
+            Said { all: true, .. } => self.every(said.a, said.b, f),
+            Said { any: true, .. } => self.some(said.a, said.b, f),
+            _ => self.pairs(said.a, said.b, f),
+        }
     }
 
     /// On, in, and under a thing.
@@ -200,9 +206,17 @@ impl Named<'_> {
         }
     }
 
+    /// Whether something hangs on a wall that is said to be above what stands in the middle of the room: not both can be.
+    fn far_from_wall(&self, a: usize, b: usize) -> bool {
+        let on_wall = |w: &What| matches!(w, What::Place(rel, Place::Wall, _) if *rel != Rel::Near);
+        let middle = |w: &What| matches!(w, What::Place(rel, Place::Middle, _) if *rel != Rel::Near);
+        self.said(a, on_wall) && self.said(b, middle)
+    }
+
     /// Left, right and above; parallel and aligned.
     pub(super) fn ordered_rel(&self, said: &Said, out: &mut Vec<String>) {
         let Said { a, rel, b, verb, .. } = *said;
+        let verb = if rel == Rel::Above && self.far_from_wall(a, b) { "prefer" } else { verb };
         let (ga, gb, m) = (self.group(a), self.group(b), self.counts[b]);
         let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);

@@ -2,14 +2,40 @@
 
 use super::*;
 impl Reader<'_> {
-    /// Of how many of the things in these chunks something is said.
-    pub(super) fn quantifier(&self, chunks: Range<usize>, each: bool) -> Quantifier {
+    /// Of how many of the things in these chunks, which are these, something is said.
+    pub(super) fn quantifier(&self, chunks: Range<usize>, each: bool, of: &[usize]) -> Quantifier {
         let any = |c: &Chunk| self.tokens[c.at.start].is("any") || self.tokens[c.at.start].is("neighbouring");
+        // "each table near a pillar", "near one of the pillars"
+        let one = |np: &Np| np.det == Det::Indefinite && !np.many || np.nth == Some(Nth::Some) && np.count == Some(1);
+        let some = matches!(of, [one] if self.brief.things[*one].number.many());
         match self.chunks.get(chunks) {
             Some(chunks) if each && !chunks.iter().any(any) => Quantifier::Each,
             Some(_) if each => Quantifier::Any,
+            Some([first, ..]) if some && self.s.each && first.np().is_some_and(one) => Quantifier::Any,
             _ => Quantifier::Usual,
         }
+    }
+
+    /// Whether "no desk …" says where what there is must not be, and not that there is none.
+    pub(super) fn limits(&self, mut chunks: Range<usize>, end: usize, np: &Np) -> bool {
+        chunks.any(|k| match &self.chunks[k].piece {
+            Piece::Measure(_) => true,
+            Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
+                let object =
+                    |n: &Np| matches!(n.kind, Kind::Thing | Kind::Place(Place::Wall | Place::Corner | Place::Middle));
+                self.np(k + 1, end).is_some_and(object) && self.find(np).is_some()
+            }
+            // "no desk is in a corner", where there are desks
+            Piece::Rel(Rel::In) => {
+                let corner = |n: &Np| matches!(n.kind, Kind::Place(Place::Corner | Place::Middle));
+                self.np(k + 1, end).is_some_and(corner) && self.find(np).is_some()
+            }
+            Piece::Verb(Verb::Be) => {
+                self.chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
+                    && self.find(np).is_some()
+            }
+            _ => false,
+        })
     }
 
     /// The thing that a phrase speaks of again: the last one of that name, in this room before others.
@@ -188,10 +214,17 @@ impl Reader<'_> {
             self.brief.say(Fact {
                 soft,
                 not,
+                subject: self.of_all(),
                 object: self.s.quantifier,
                 ..Fact::new(of.to_vec(), what, Source::Stated(at.clone()))
             });
         }
+    }
+
+    /// "Every table is within 3 m of every pillar": it is said of all the tables, and not of some with each pillar.
+    fn of_all(&self) -> Quantifier {
+        let both = self.s.quantifier == Quantifier::Each && self.s.each && self.s.subject;
+        if both { Quantifier::Each } else { Quantifier::Usual }
     }
 
     /// "the doors", where one was named after the other: all of them.

@@ -23,6 +23,7 @@ mod parts;
 mod relations;
 mod sentences;
 mod things;
+mod unsaid;
 mod verbs;
 
 /// What a noun phrase that comes next is to what came before.
@@ -677,7 +678,7 @@ fn flip(m: &Measure, negative: bool) -> Op {
 
 /// "keep 1.2 m between them" is at least so much.
 fn min_if_keep(m: &Measure, keep: bool) -> Op {
-    if m.op == Op::Equal && keep { Op::Least } else { m.op }
+    if m.op == Op::Equal && keep && !m.exact { Op::Least } else { m.op }
 }
 
 /// Whether a noun can be a name: letters of a language that is written with these.

@@ -27,13 +27,15 @@ impl Reader<'_> {
     }
 
     /// "Only the first desk …": which of several, as they are called.
-    fn some_only(&self, i: usize, end: usize) -> Option<&Np> {
+    pub(super) fn some_only(&self, i: usize, end: usize) -> Option<&Np> {
         let np = self.np(i + 1, end).filter(|np| np.nth.is_some() && np.kind == Kind::Thing)?;
         let several = |f: usize| {
             let number = self.brief.things[f].number;
             number.said().is_some() || number.follows()
         };
-        let starts = i == self.s.chunks.start && self.tokens[self.chunks[i].at.start].is("only");
+        let first = &self.tokens[self.chunks[i].at.start];
+        let exactly = (first.is("exactly") || first.is("precisely") || first.is("just")) && np.nth == Some(Nth::Some);
+        let starts = i == self.s.chunks.start && (first.is("only") || exactly);
         (starts && self.find(np).is_some_and(several)).then_some(np)
     }
 
@@ -102,7 +104,15 @@ impl Reader<'_> {
 
     /// A fact of some things, denied of the others of their kind. `None`: it cannot be denied.
     fn denied_of_others(&mut self, fact: &Fact, part: usize) -> Option<Vec<Fact>> {
-        let What::Rel(rel, to) = &fact.what else { return None };
+        let at_place = matches!(&fact.what, What::Place(rel, place, which)
+            if matches!(place, Place::Wall | Place::Corner | Place::Middle)
+                && which.iter().all(|which| which == "each")
+                && matches!(rel, Rel::At | Rel::Against | Rel::In | Rel::On | Rel::Along));
+        let objects: &[usize] = match &fact.what {
+            What::Rel(_, to) => to,
+            _ if at_place => &[],
+            _ => return None,
+        };
         let Part { of, pick } = self.brief.things[part].part.clone()?;
         let all = self.brief.count(of);
         let (from, n) = match pick {
@@ -122,9 +132,11 @@ impl Reader<'_> {
         let mut out = Vec::new();
         for pick in others {
             let other = self.brief.part(of, pick, at.clone());
-            let turned = match (fact.of.as_slice(), to.as_slice()) {
+            let turned = match (fact.of.as_slice(), &fact.what) {
                 ([one], _) if *one == part => Fact { of: vec![other], ..fact.clone() },
-                (_, [one]) if *one == part => Fact { what: What::Rel(*rel, vec![other]), ..fact.clone() },
+                (_, What::Rel(rel, _)) if objects == [part] => {
+                    Fact { what: What::Rel(*rel, vec![other]), ..fact.clone() }
+                }
                 _ => return None,
             };
             out.push(Fact { not: !fact.not, object: Quantifier::Each, ..turned });

@@ -150,7 +150,7 @@ impl Reader<'_> {
     fn relate_items(&mut self, said: Said, items: Vec<usize>, each: bool) {
         let Said { i, next, end, rel, of, negative, before_subject } = said;
         self.mark(i);
-        self.s.quantifier = self.quantifier(i + 1..next, each);
+        self.s.quantifier = self.quantifier(i + 1..next, each, &items);
         if let Some(m) = self.s.pending.take() {
             self.measured(&of, rel, &items, &m, negative);
         } else if self.s.nothing && !self.s.subject {
@@ -210,8 +210,7 @@ impl Reader<'_> {
         } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
             self.s.lead.push((rel, Lead::Place(place, which)));
         } else if negative {
-            // Not at a wall, not in a corner: kept as a note.
-            self.chunks[i].at.clone().for_each(|t| self.used[t] = false);
+            self.not_at_place(i..next, &of, rel, place, &which);
         } else {
             // "a table with two chairs in the corner": the table stands there.
             let of = match &self.s.expect {
@@ -231,6 +230,23 @@ impl Reader<'_> {
             }
             self.drop_usual(&of);
             self.at_place(&of, rel, place, &which);
+        }
+    }
+
+    /// Not at a wall, not in a corner; of other places, and of one wall among several, nothing says that.
+    fn not_at_place(&mut self, chunks: Range<usize>, of: &[usize], rel: Rel, place: Place, which: &[String]) {
+        let any = which.iter().all(|which| which == "each");
+        let there = matches!(rel, Rel::At | Rel::Against | Rel::In | Rel::On | Rel::Along | Rel::Mounted);
+        let stands = !of.iter().any(|o| self.brief.things[*o].opening());
+        let known = matches!(place, Place::Wall | Place::Corner | Place::Middle);
+        if any && there && stands && known {
+            let soft = self.s.soft;
+            return self.state(of, What::Place(rel, place, Vec::new()), soft, true);
+        }
+        let reason = "no statement says that something is not in this place".to_owned();
+        self.brief.notes.push(Note { at: self.bytes(chunks.clone()), reason });
+        for at in chunks.filter_map(|k| self.chunks.get(k)).map(|c| c.at.clone()) {
+            self.used[at].fill(false);
         }
     }
 

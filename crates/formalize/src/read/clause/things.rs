@@ -43,9 +43,16 @@ impl Reader<'_> {
                         dims: vec![],
                         area: false,
                         least: None,
+                        exact: false,
                     };
                     self.mark(i);
                     return self.on_path(i, end, &m);
+                }
+                // "the distance between the bed and the desk is 1 m"
+                let distance = np.words.first().is_some_and(|w| matches!(w.as_str(), "distance" | "gap"));
+                let measured = (i + 1..end).any(|k| matches!(self.chunks[k].piece, Piece::Measure(_)));
+                if distance && measured && self.piece(i + 1, end) == Some(&Piece::Rel(Rel::Between)) {
+                    self.mark(i);
                 }
                 if np.words.first().is_some_and(|w| w == "neighbour" || w == "neighbor")
                     && let Some(m) = self.s.pending.take()
@@ -348,6 +355,10 @@ impl Reader<'_> {
         if let Some(part) = np.nth.and_then(|nth| self.some_of(i, nth, np.count, found)) {
             return Some(part);
         }
+        let of_those = np.other && np.det == Det::Definite && (np.many || np.count.is_some());
+        if of_those && found.is_some() && self.dealt.map(|d| d.0) == found {
+            return self.others(i, np).or(found);
+        }
         // "the window", in a room that has spoken of none: its own.
         let plain = np.words.len() == 1 && matches!(np.group, Some(Group::Window)) && np.det != Det::Each;
         let here = |f: &usize| {
@@ -380,8 +391,8 @@ impl Reader<'_> {
                     plain && of_these && item.number.many() && item.words == np.words && item.room == self.room
                 };
                 match found.filter(known) {
-                    // "to an exit": any of those there are.
-                    Some(of) if self.brief.things[of].opening() && np.count.is_none() => Some(of),
+                    // "to an exit", "each table near a pillar": any of those there are.
+                    Some(of) if np.count.is_none() && (self.s.each || self.brief.things[of].opening()) => Some(of),
                     Some(of) if self.brief.things[of].number.said().is_some() => self.deal(i, of, 1),
                     _ => None,
                 }
@@ -428,14 +439,21 @@ impl Reader<'_> {
             Nth::Middle => return None,
             Nth::Half => Pick::Half,
             Nth::Every(n) => Pick::Every(n),
+            // "each table near one of the pillars"
+            Nth::Some if count == Some(1) && self.s.each && self.s.subject => return Some(of),
             Nth::Some => return self.deal(i, of, count?),
             Nth::ButFirst if all > 1 => Pick::Rest(1),
             Nth::ButLast if all > 1 => Pick::Run(0, all - 1),
             Nth::ButFirst | Nth::ButLast => return None,
         };
         let at = self.bytes(i..i + 1);
-        if nth == Nth::Half {
-            self.dealt = Some((of, (all / 2).max(1)));
+        match (nth, pick) {
+            (Nth::Half, _) => self.dealt = Some((of, (all / 2).max(1))),
+            // "the first shelf …, the other two": those after it.
+            (Nth::At(_), Pick::Run(from, n)) if self.dealt.map_or(0, |d| if d.0 == of { d.1 } else { 0 }) == from => {
+                self.dealt = Some((of, from + n));
+            }
+            _ => {}
         }
         Some(self.brief.part(of, pick, at))
     }
@@ -453,20 +471,25 @@ impl Reader<'_> {
         Some(self.brief.part(of, Pick::Run(from, n), at))
     }
 
+    /// "the other two", "the other desks": those of which nothing was said yet, of several that were told apart.
+    fn others(&mut self, i: usize, np: &Np) -> Option<usize> {
+        let (of, taken) = self.dealt?;
+        let at = self.bytes(i..i + 1);
+        let all = self.brief.count(of);
+        let n = np.count.unwrap_or(all.saturating_sub(taken));
+        if taken >= all {
+            return None;
+        }
+        self.dealt = Some((of, taken + n));
+        let whole = taken + n >= all;
+        Some(self.brief.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at))
+    }
+
     /// "one on the west wall and one on the east wall", "the other two": some of what was spoken of last.
     fn dealt(&mut self, i: usize, end: usize, np: &Np) -> Option<usize> {
         let word = np.words.first().map_or("", String::as_str);
         if np.other && matches!(np.det, Det::Definite | Det::Own) {
-            let (of, taken) = self.dealt?;
-            let at = self.bytes(i..i + 1);
-            let all = self.brief.count(of);
-            let n = np.count.unwrap_or(all.saturating_sub(taken));
-            if taken >= all {
-                return None;
-            }
-            self.dealt = Some((of, taken + n));
-            let whole = taken + n >= all;
-            return Some(self.brief.part(of, if whole { Pick::Rest(taken) } else { Pick::Run(taken, n) }, at));
+            return self.others(i, np);
         }
         let n = np.count?;
         let others = self.chunks[i..end]
@@ -581,18 +604,7 @@ impl Reader<'_> {
                 && self.s.expect != Expect::Blocked
                 && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
         let to = (i..end).find(|k| chunks[*k].piece == Piece::Colon).unwrap_or(end);
-        let limits = (i..to).any(|k| match &chunks[k].piece {
-            Piece::Measure(_) => true,
-            Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
-                self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Thing) && self.find(np).is_some()
-            }
-            Piece::Verb(Verb::Be) => {
-                chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
-                    && self.find(np).is_some()
-            }
-            _ => false,
-        });
-        if denied && !limits {
+        if denied && !self.limits(i..to, end, np) {
             return self.deny(i, end);
         }
         self.s.not |= np.det == Det::No;

@@ -157,6 +157,18 @@ impl Reader<'_> {
                 }
                 // "left of the bed as seen from the door": left and right are the viewer's, and no statement says whose.
                 ("as" | "when", "seen" | "viewed") => out.push((from..i).rev().find(stop).unwrap_or(from)..to),
+                _ if self.some_unsaid(i, to) || self.for_unknown(i, to) => {
+                    out.push((from..i).rev().find(stop).unwrap_or(from)..to);
+                }
+                _ if self.as_before(i, to).is_some() => {
+                    let joins = |k: &usize| stop(k) || self.chunks[*k].piece == Piece::And;
+                    out.push((from..i).rev().find(joins).map_or(from, |k| k + 1)..to);
+                }
+                _ if self.same_as(i, to).is_some() => out.extend(self.same_as(i, to)),
+                _ if self.as_much(i, end).is_some() => {
+                    let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, Piece::Word(_)));
+                    out.push(begin..self.as_much(i, end).unwrap_or(to));
+                }
                 _ if self.uncounted(i, to) => {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }

@@ -210,6 +210,10 @@ pub(super) fn but_one(rest: &[Token]) -> Option<(Nth, usize)> {
         _ => return None,
     };
     used += 1;
+    // "All but the first and the last": of more than one.
+    if text(used) == "and" && ordinal(text(used + 1)).or(ordinal(text(used + 2))).is_some() {
+        return None;
+    }
     Some((nth, used + usize::from(text(used) == "one")))
 }
 
