@@ -107,7 +107,8 @@ impl LocalSearch<'_> {
         let skew = self.next_is_skew() || given.contains(&true);
         self.skew = skew && self.course.turn > 0;
         self.stacks = self.course.turn % 4 == 3 && self.covered() >= FULL[1];
-        self.air = if self.is_other { 0.0 } else { self.widest_path() };
+        // What stands in clusters hardly ever leaves space for paths that was not left at first.
+        self.air = if self.is_other && !self.is_clustered { 0.0 } else { self.widest_path() };
         self.course.is_rebuilt = false;
         let begun = self.trial.work;
         self.begin(chance, given, late);
@@ -149,7 +150,8 @@ impl LocalSearch<'_> {
     }
 
     /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at
-    /// first; in a crowded room it plans them from the beginning instead.
+    /// first; in a crowded room it plans them from the beginning instead. Where most things stand in clusters, it leaves room
+    /// for paths, too, and builds each cluster as one piece from its first turn on.
     pub fn of_another_kind(mut self) -> Self {
         self.is_other = true;
         self
