@@ -70,8 +70,14 @@ impl LocalSearch<'_> {
                 }
             }
             // Square turns and others come in pairs of the same length.
-            let turn = if self.course.is_rebuilt { REBUILT } else { [luby(self.course.turn.div_ceil(2)); 2] };
-            let patience = patience.map(|steps| (steps * turn[0]) as usize);
+            let mut turn = if self.course.is_rebuilt { REBUILT } else { [luby(self.course.turn.div_ceil(2)); 2] };
+            let mut patience = patience.map(|steps| steps * turn[0]);
+            if self.is_clustered && !self.course.is_rebuilt {
+                // Where clusters stand well, paths are soon free; else they hardly ever are, however long the turn is.
+                patience[1] /= turn[0];
+                turn[1] = 1.0;
+            }
+            let patience = patience.map(|steps| steps as usize);
             // What has its place already is not given up so soon.
             while self.trial.work < end
                 && !late()
