@@ -70,8 +70,14 @@ impl LocalSearch<'_> {
                 }
             }
             // Square turns and others come in pairs of the same length.
-            let turn = if self.course.is_rebuilt { REBUILT } else { [luby(self.course.turn.div_ceil(2)); 2] };
-            let patience = patience.map(|steps| (steps * turn[0]) as usize);
+            let mut turn = if self.course.is_rebuilt { REBUILT } else { [luby(self.course.turn.div_ceil(2)); 2] };
+            let mut patience = patience.map(|steps| steps * turn[0]);
+            if self.is_clustered && !self.course.is_rebuilt {
+                // Where clusters stand well, paths are soon free; else they hardly ever are, however long the turn is.
+                patience[1] /= turn[0];
+                turn[1] = 1.0;
+            }
+            let patience = patience.map(|steps| steps as usize);
             // What has its place already is not given up so soon.
             while self.trial.work < end
                 && !late()
@@ -107,7 +113,8 @@ impl LocalSearch<'_> {
         let skew = self.next_is_skew() || given.contains(&true);
         self.skew = skew && self.course.turn > 0;
         self.stacks = self.course.turn % 4 == 3 && self.covered() >= FULL[1];
-        self.air = if self.is_other { 0.0 } else { self.widest_path() };
+        // What stands in clusters hardly ever leaves space for paths that was not left at first.
+        self.air = if self.is_other && !self.is_clustered { 0.0 } else { self.widest_path() };
         self.course.is_rebuilt = false;
         let begun = self.trial.work;
         self.begin(chance, given, late);
@@ -149,7 +156,8 @@ impl LocalSearch<'_> {
     }
 
     /// A search of another kind: its first turn is none in which things stand square, and it leaves no room for paths at
-    /// first; in a crowded room it plans them from the beginning instead.
+    /// first; in a crowded room it plans them from the beginning instead. Where most things stand in clusters, it leaves room
+    /// for paths, too, and builds each cluster as one piece from its first turn on.
     pub fn of_another_kind(mut self) -> Self {
         self.is_other = true;
         self

@@ -63,7 +63,8 @@ impl LocalSearch<'_> {
         }
         let mut poses = Vec::new();
         // What stands together is built as one piece where paths are to lead past it, and it proved hard without.
-        let as_one = !is_warm && !is_rebuilt && self.course.turn > 0 && self.air > 0.0 && self.is_clustered;
+        let proved_hard = self.course.turn > 0 || self.is_other;
+        let as_one = !is_warm && !is_rebuilt && proved_hard && self.air > 0.0 && self.is_clustered;
         let mut begun = None;
         while !waiting.is_empty() {
             let rank = |i: usize| {

@@ -71,7 +71,8 @@ pub(crate) struct LocalSearch<'a> {
     skew: bool,
     /// Whether a thing may go onto any other: only where the floor is too small for all of them.
     stacks: bool,
-    /// Whether turns in which they are drawn come first, and no room is left for paths at first.
+    /// Whether turns in which they are drawn come first, and no room is left for paths at first unless most things stand in
+    /// clusters.
     is_other: bool,
     /// By object: those that its height is set by.
     bases: Vec<Vec<usize>>,

@@ -46,7 +46,10 @@ impl LocalSearch<'_> {
         // All of these turns together take no longer than the one before them: so they cannot cost much where they are no use.
         let spent = over.is_some_and(|over| self.trial.work - over > over - begun);
         let many = self.trial.movable.len() >= MANY;
-        many && !self.is_warm() && *tries < TRIES && !spent && best.is_some()
+        // Clusters that bar paths stand in the wrong places as a whole: to build parts of them anew is of no use.
+        let bars = |walking: bool| walking && self.is_clustered && self.trial.path_count() > 0;
+        let is_of_use = best.as_ref().is_some_and(|(.., walking)| !bars(*walking));
+        many && !self.is_warm() && *tries < TRIES && !spent && is_of_use
     }
 
     /// Remembers the best layout since all began anew, of which so much is violated.
