@@ -417,7 +417,7 @@ fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
     let Some(at) = plan.place_in_room(&it.name).filter(|_| it.count == 1) else { return };
     let there = place::absolute(&it.name, &room, [at.x, at.y, at.z], at.yaw);
     let special = |line: &Line| matches!(line.place, Place::Before(..) | Place::Back(_) | Place::Front(_));
-    if like.line.is_some_and(special) && !received && at.y == 0.0 {
+    if (like.central || like.line.is_some_and(special)) && !received && at.y == 0.0 {
         plan.say(format!("prefer {there};"), USUAL);
     }
     if received && !plan.is_placed(thing) {

@@ -40,7 +40,7 @@ mod tops;
 mod twin;
 mod whom;
 
-use crate::brief::{Brief, Fact, Group, Number, Pattern, What};
+use crate::brief::{Brief, Fact, Group, Number, Pattern, Rel, What};
 use crate::draft::{Draft, Source, Thing};
 pub use area::overfull;
 pub(crate) use gates::GATE;
@@ -211,7 +211,7 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
         return Some(people.div_ceil(2));
     }
     // "Cushions" in a tea house: as many as there are places at its tables.
-    if let Some(places) = at_tables(kind, brief.rooms.get(thing.room)?.people, &thing.name()).filter(|_| plural) {
+    if let Some(places) = at_tables(brief, at, kind).filter(|_| plural) {
         return Some(places);
     }
     let name =
@@ -232,19 +232,54 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
 }
 
-/// How many seats of a name stand around the tables of such a room, for so many people.
-fn at_tables(kind: &kinds::Kind, people: Option<usize>, seat: &str) -> Option<usize> {
-    let seat = kind.means.iter().find(|(said, _)| *said == seat)?.1;
-    let people = people.map_or(kind.people, |people| people as f64);
-    kind.lines.iter().find_map(|line| {
-        let kinds::Count::People(each) = line.count else { return None };
-        let parts = groups::of(line.noun, kind.dress).iter();
-        let mut around = parts.filter(|part| part.noun == seat).filter_map(|part| match part.at {
-            groups::Where::Around(n, _) => Some(n),
+/// How many seats stand around the tables of such a room that are asked for, or else that such a room has: "ten tables and
+/// chairs".
+fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
+    let thing = &brief.things[at];
+    let meant = |name: String| match kind.means.iter().find(|(said, _)| *said == name) {
+        Some((_, noun)) => (*noun).to_owned(),
+        None => name,
+    };
+    let elsewhere = |fact: &Fact| {
+        let at_table = matches!(fact.what, What::Rel(Rel::Around | Rel::At, _));
+        fact.of.contains(&at) && !at_table
+    };
+    if brief.facts.iter().any(elsewhere) {
+        return None;
+    }
+    let seat = meant(thing.name());
+    let each = |table: &str| {
+        groups::of(table, kind.dress).iter().find_map(|part| match part.at {
+            groups::Where::Around(n, _) | groups::Where::LongSides(n, _) if stand::counts_as(part.noun, &seat) => {
+                Some(n)
+            }
+            _ => None,
+        })
+    };
+    let mut asked = brief.things.iter().filter(|other| other.room == thing.room && other.group == Group::Table);
+    // All sit at the one table of such a room.
+    let all = |table: &str| {
+        let at_one = |line: &&kinds::Line| {
+            line.count == kinds::Count::Fixed(1) && matches!(line.place, kinds::Place::Middle | kinds::Place::Floor)
+        };
+        let mut lines = kind.lines.iter().filter(at_one);
+        lines
+            .any(|line| each(line.noun).is_some() && stand::counts_as(line.noun, table))
+            .then_some(kind.people as usize)
+    };
+    let asked = asked.find_map(|table| {
+        let (noun, n) = (meant(table.name()), table.number.said()?);
+        if n > 1 { Some(each(&noun)? * n) } else { all(&noun) }
+    });
+    let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);
+    let usual = || {
+        let mut lines = kind.lines.iter().filter_map(|line| match line.count {
+            kinds::Count::People(per) => Some((people / per).ceil() as usize * each(line.noun)?),
             _ => None,
         });
-        around.next().map(|n| (people / each).ceil() as usize * n)
-    })
+        lines.next().filter(|_| seat != thing.name())
+    };
+    asked.or_else(usual)
 }
 
 /// Whether "many" of a thing are asked for.

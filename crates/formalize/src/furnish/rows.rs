@@ -529,9 +529,12 @@ impl Plan<'_> {
     /// of several has a bin.
     fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
         let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
+        // Seats that are asked for stand there, too.
+        let here = || self.draft.things.iter().filter(|t| t.room == Some(self.room) && t.count > 1);
+        let asked = |noun: &str| here().any(|t| stand::counts_as(noun, &t.category.replace('_', " ")));
         for part in groups::of(noun, self.kind.dress)
             .iter()
-            .filter(|p| !self.is_closed(p.noun) && p.noun != "bin" && self.counted >= p.least)
+            .filter(|p| (!self.is_closed(p.noun) || asked(p.noun)) && p.noun != "bin" && self.counted >= p.least)
         {
             let own = part.size.unwrap_or_else(|| Plan::size(part.noun));
             let sizes = super::slots::Sizes { of, own, round: stand::round(noun, &[]) };
