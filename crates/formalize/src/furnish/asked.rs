@@ -20,6 +20,8 @@ use std::cell::{Cell, RefCell};
 const SERVED: usize = 4;
 /// Several things with a place of their own are so far apart (metres).
 const APART: f64 = 0.8;
+/// Seats that stand at a wall if nothing is said of them and such rooms have none.
+const ASIDE: [&str; 3] = ["bench", "chair", "visitor chair"];
 /// What is said to be so stands away from the walls.
 const FREE: [&str; 2] = ["freestanding", "free-standing"];
 /// Before this an island stands.
@@ -185,7 +187,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let pair = plan.ground.is_some() && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing));
     let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };
     // One reads in a corner where nobody else sits on soft seats.
-    let is_soft = |line: &Line| stand::is_easy(line.noun) || line.noun.ends_with("sofa");
+    let is_soft = |line: &Line| line.noun.ends_with("sofa");
     let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
     let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == Place::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
@@ -193,9 +195,12 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
-    // Who waits on a bench is in nobody's way.
-    let is_seat_aside =
-        noun == "bench" && own.is_none() && it.count <= 2 && !plan.draft.outdoor && !plan.is_placed(thing);
+    // Who waits on a bench or a chair is in nobody's way.
+    let is_seat_aside = ASIDE.contains(&noun.as_str())
+        && own.is_none()
+        && it.count <= 2
+        && !plan.draft.outdoor
+        && !plan.is_placed(thing);
     let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     // What is watched stands across from where one sits.
     let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));

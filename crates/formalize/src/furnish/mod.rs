@@ -216,7 +216,10 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     }
     let name =
         kind.means.iter().find(|(said, _)| *said == thing.name()).map_or(thing.name(), |(_, noun)| (*noun).into());
-    let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &name));
+    let like = |line: &&kinds::Line| stand::counts_as(line.noun, &name);
+    // "Desks" in a classroom are those of the pupils.
+    let for_people = |line: &&kinds::Line| plural && like(line) && matches!(line.count, kinds::Count::People(_));
+    let own = kind.lines.iter().find(for_people).or_else(|| kind.lines.iter().find(like));
     let least = (many && thing.part.is_none()).then_some(MANY);
     // "High tables" in a bar: as many as its people need, whatever they are called.
     let eats = |line: &&kinds::Line| {
@@ -253,10 +256,12 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
             groups::Where::Around(n, _) | groups::Where::LongSides(n, _) if stand::counts_as(part.noun, &seat) => {
                 Some(n)
             }
+            groups::Where::Front(..) | groups::Where::Back(..) if stand::counts_as(part.noun, &seat) => Some(1),
             _ => None,
         })
     };
-    let mut asked = brief.things.iter().filter(|other| other.room == thing.room && other.group == Group::Table);
+    let others = brief.things.iter().enumerate().filter(|(i, other)| *i != at && other.room == thing.room);
+    let mut asked = others.map(|(_, other)| other);
     // All sit at the one table of such a room.
     let all = |table: &str| {
         let at_one = |line: &&kinds::Line| {
@@ -269,7 +274,7 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
     };
     let asked = asked.find_map(|table| {
         let (noun, n) = (meant(table.name()), table.number.said()?);
-        if n > 1 { Some(each(&noun)? * n) } else { all(&noun) }
+        if n > 1 { Some(each(&noun)? * n) } else { all(&noun).or_else(|| each(&noun)) }
     });
     let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);
     let usual = || {
@@ -301,7 +306,7 @@ fn usual_number(brief: &Brief, at: usize, kind: &kinds::Kind, line: &kinds::Line
             let people = brief.rooms.get(thing.room)?.people;
             // Nobody says how many eat there: as many as usual.
             let eats = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Before(_, 180.0)));
-            let people = people.map(|n| n as f64).or(Some(kind.people).filter(|_| eats))?;
+            let people = people.map(|n| n as f64).or(Some(kind.people).filter(|_| eats || rows))?;
             Some((people / each).ceil().max(2.0) as usize)
         }
         kinds::Count::Area(each) if rows || plural && matches!(line.place, kinds::Place::Run | kinds::Place::Wall) => {

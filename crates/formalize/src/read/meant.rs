@@ -224,6 +224,20 @@ pub(super) fn docks(tokens: &mut Vec<Token>, i: usize) -> bool {
     docks
 }
 
+/// "A gym with treadmills and weights": a rack of them.
+pub(super) fn weights(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let listed =
+        i > 0 && (matches!(word(tokens, i - 1), "and" | "with" | "some") || tokens[i - 1].kind == Kind::Sign(','));
+    let gym = tokens[..i].iter().any(|t| t.is("gym") || t.is("fitness"));
+    let ends = tokens.get(i + 1).is_none_or(|t| !t.word() || t.is("and"));
+    if !matches!(word(tokens, i), "weights" | "dumbbells") || !listed || !gym || !ends {
+        return false;
+    }
+    let first = i - usize::from(word(tokens, i - 1) == "some");
+    put(tokens, first, i + 1, &["a", "dumbbell", "rack"]);
+    true
+}
+
 /// "A kitchen-diner": a kitchen that one eats in.
 pub(super) fn kitchen_diner(tokens: &mut Vec<Token>, i: usize) -> bool {
     let diner = word(tokens, i) == "kitchen-diner";
@@ -324,6 +338,8 @@ mod tests {
             ("a study doubling as a guest room with a lamp", "a study with a sofa bed and a lamp"),
             ("a bedroom with a walk-in wardrobe corner and a lamp", "a bedroom with two wardrobes and a lamp"),
             ("a depot with two loading docks", "a depot with two garage doors"),
+            ("a gym with a bench, weights and a mirror", "a gym with a bench , a dumbbell rack and a mirror"),
+            ("a shop with weights", "a shop with weights"),
             ("a house with a kitchen-diner", "a house with a dining kitchen"),
             ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
             ("an office for two teams of six people", "an office for 12 people"),

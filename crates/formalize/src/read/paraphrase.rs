@@ -9,7 +9,7 @@ use super::token::{Kind, Token};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 33] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 34] = [
             apart,
             together,
             each_other,
@@ -39,6 +39,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::doubles,
             meant::walk_in,
             meant::docks,
+            meant::weights,
             meant::teams,
             meant::whose,
             meant::bedrooms,
