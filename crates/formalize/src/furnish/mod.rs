@@ -253,15 +253,15 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
     let seat = meant(thing.name());
     let each = |table: &str| {
         groups::of(table, kind.dress).iter().find_map(|part| match part.at {
-            groups::Where::Around(n, _) | groups::Where::LongSides(n, _) if stand::counts_as(part.noun, &seat) => {
+            groups::Where::Around(n, _) | groups::Where::LongSides(n, _) | groups::Where::Row(n, _)
+                if n > 0 && stand::counts_as(part.noun, &seat) =>
+            {
                 Some(n)
             }
             groups::Where::Front(..) | groups::Where::Back(..) if stand::counts_as(part.noun, &seat) => Some(1),
             _ => None,
         })
     };
-    let others = brief.things.iter().enumerate().filter(|(i, other)| *i != at && other.room == thing.room);
-    let mut asked = others.map(|(_, other)| other);
     // All sit at the one table of such a room.
     let all = |table: &str| {
         let at_one = |line: &&kinds::Line| {
@@ -272,8 +272,9 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
             .any(|line| each(line.noun).is_some() && stand::counts_as(line.noun, table))
             .then_some(kind.people as usize)
     };
-    let asked = asked.find_map(|table| {
-        let (noun, n) = (meant(table.name()), table.number.said()?);
+    let mut others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == thing.room);
+    let asked = others.find_map(|table| {
+        let (noun, n) = (meant(brief.things[table].name()), brief.count(table));
         if n > 1 { Some(each(&noun)? * n) } else { all(&noun).or_else(|| each(&noun)) }
     });
     let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);
