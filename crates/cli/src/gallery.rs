@@ -10,7 +10,7 @@ use scenelang_assets::{Asset, Request, categories, families, family_of, furnish}
 use scenelang_base::fs::write_set;
 use scenelang_export::{ExportError, Scene, SceneInput, picture};
 use scenelang_lang::library::usual_size;
-use scenelang_lang::{Compiled, compile_text};
+use scenelang_lang::{Compiled, compile_text, nouns};
 use scenelang_layout::convex;
 use scenelang_layout::{Convex, Layout, Moving, Part, Placement, Vec3, rotation};
 use std::fmt::Write;
@@ -75,10 +75,10 @@ fn fail(message: &str) -> u8 {
 /// A family in all sizes.
 fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
     let noun = family.replace('_', " ");
-    // A family that is no category itself is as large as the first one that it draws.
-    let drawn_by = || categories().filter(|category| family_of(category, "") == Some(family));
-    let named = drawn_by().find(|category| *category == noun).or_else(|| drawn_by().next());
-    let usual = named.and_then(usual_size).or_else(|| usual_size(&noun)).map_or_else(|| Vec3::repeat(EDGE), Vec3::from);
+    // A family that is no noun of the vocabulary itself is as large as the first noun that it draws.
+    let nouns = || categories().filter(|name| family_of(name, "") == Some(family) && nouns::noun(name).is_some());
+    let named = nouns().find(|name| *name == noun).or_else(|| nouns().next()).unwrap_or(&noun);
+    let usual = usual_size(named).map_or_else(|| Vec3::repeat(EDGE), Vec3::from);
     let mut text = format!("<section><h2>{noun}</h2><div>");
     for (size, factor) in SIZES {
         let asset = furnish(&Request { name: "it", category: &noun, size: Some(usual * factor), ..Request::default() });

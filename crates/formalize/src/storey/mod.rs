@@ -22,9 +22,7 @@ use rows::{Cell, Rect};
 /// More rooms than these are placed one by one.
 const MOST: usize = 14;
 /// A living room in which one eats, too, is so much larger (square metres).
-const EATING: f64 = 5.0;
-/// Its shorter side (metres): the table stands beside the seating group.
-const EATEN_IN: f64 = 4.8;
+const EATING: f64 = 4.0;
 /// A kitchen of a home has a wall so long (metres): a stove, a sink, a counter and a fridge stand at it.
 const RUN: f64 = 4.0;
 /// Beyond the foot of a bed for two, and beside it with its nightstands, so much is free or a wall of cupboards (metres).
@@ -306,6 +304,5 @@ fn at_home(
     let eats = kind.eat.is_some() && !draft.rooms.iter().any(dines);
     let more = more + if eats { EATING } else { 0.0 };
     let area = (area * said).max(needed) + more;
-    let side = if eats { side.max(EATEN_IN) } else { side };
     ([area, (most * said).max(area * 1.15)], side * said.clamp(0.85, 1.3).sqrt())
 }

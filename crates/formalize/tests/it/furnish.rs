@@ -305,7 +305,7 @@ fn what_is_asked_for_stands_with_what_it_goes_with() {
         ("A living room with a sofa, a coffee table and a TV.", "coffee_table", "sofa", 1.4),
         ("A bedroom with a double bed and two nightstands.", "nightstand", "double_bed", 1.5),
         ("An office with a desk and two chairs.", "chair", "desk", 1.4),
-        ("A conference room with a large table and 12 chairs.", "chair", "table", 2.6),
+        ("A conference room with a large table and 12 chairs.", "chair", "conference_table", 2.6),
         ("A kitchen with a dining table with four chairs.", "chair", "dining_table", 1.3),
         ("A restaurant with a bar with six stools.", "stool", "bar", 2.0),
     ] {
