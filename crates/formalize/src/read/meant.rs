@@ -191,7 +191,7 @@ pub(super) fn doubles(tokens: &mut Vec<Token>, i: usize) -> bool {
         let said: Vec<&str> = (first..first + n).map(|k| word(tokens, k)).collect();
         let said = said.join(" ");
         let is = |name: &&str| said == **name || said.ends_with(&format!(" {name}"));
-        USES.iter().find(|(names, _)| names.iter().any(|name| is(&name))).map(|(_, has)| (first + n, *has))
+        USES.iter().find(|(names, _)| names.iter().any(is)).map(|(_, has)| (first + n, *has))
     });
     let Some((end, has)) = found else { return false };
     let goes_on = word(tokens, end) == "with";
