@@ -55,8 +55,8 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     })
 }
 
-/// The usual size (width, height, depth in metres) of a category: that of the furniture that its whole name or its ending
-/// names, or of the noun if no furniture is called so, else that of the last word that is furniture.
+/// The usual size (width, height, depth in metres) of a category: that of the furniture or else of the noun that has its
+/// whole name, else that of the furniture that its last words name.
 pub fn usual_size(category: &str) -> Option<[f64; 3]> {
     let words = words(category);
     let noun = |name: &str| crate::nouns::noun(name).map(|noun| noun.size);

@@ -308,11 +308,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         looks_at: like.looks_at.or_else(|| watched_from(plan).or_else(between).filter(|_| fire)),
         strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
-        near: at_window(plan, &it.name).or_else(|| match it.category.as_str() {
-            order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
-            category if category.ends_with("island") => near_to(plan, COUNTER),
-            _ => near_to(plan, like.by),
-        }),
+        near: stands_near(plan, &it, like),
         beds: &[],
         watched: is_watched_room(plan),
         dines: plan.dines(),
@@ -449,6 +445,15 @@ fn keep_gaps(plan: &mut Plan, thing: usize, [width, height, depth]: [f64; 3]) {
             ground.keep(&middle, [gap - 0.02, height, depth]);
         }
     }
+}
+
+/// The place of what a thing stands near.
+fn stands_near(plan: &Plan, it: &Thing, like: &Like) -> Option<Pose> {
+    at_window(plan, &it.name).or_else(|| match it.category.as_str() {
+        order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
+        category if category.ends_with("island") => near_to(plan, COUNTER),
+        _ => near_to(plan, like.by),
+    })
 }
 
 /// The window that a thing is said to stand at.

@@ -140,7 +140,8 @@ impl Kind {
 
     /// Whether a television hangs across from the bed.
     pub fn has_hung_screen(&self) -> bool {
-        self.lines.iter().any(|line| line.noun == "tv" && line.place == Place::Hung)
+        let hangs = self.lines.iter().any(|line| line.noun == "tv" && line.place == Place::Hung);
+        hangs && self.lines.iter().any(|line| line.noun.ends_with("bed"))
     }
 }
 

@@ -235,6 +235,9 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
 }
 
+/// "Chairs" at one desk are so many at least.
+const SEVERAL: usize = 2;
+
 /// How many seats stand around the tables of such a room that are asked for, or else that such a room has: "ten tables and
 /// chairs".
 fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
@@ -275,7 +278,7 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
     let mut others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == thing.room);
     let asked = others.find_map(|table| {
         let (noun, n) = (meant(brief.things[table].name()), brief.count(table));
-        if n > 1 { Some(each(&noun)? * n) } else { all(&noun).or_else(|| each(&noun)) }
+        if n > 1 { Some(each(&noun)? * n) } else { all(&noun).or_else(|| Some(each(&noun)?.max(SEVERAL))) }
     });
     let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);
     let usual = || {
