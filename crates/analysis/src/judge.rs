@@ -1,6 +1,6 @@
 //! The verdict about a file, and what of it is told.
 
-use crate::settings::{Found, Judging};
+use crate::settings::{FileSettings, Judging};
 use scenelang_base::{Diagnostic, SourceMap};
 use scenelang_engine::check_file_with;
 use scenelang_lang::program::Program;
@@ -26,7 +26,7 @@ pub struct Question<'a> {
 }
 
 /// Judges a program by itself, or a layout with its program, by the settings that count for it.
-pub fn judge(question: &Question<'_>, found: &Found, loader: &dyn Loader) -> Checked {
+pub fn judge(question: &Question<'_>, found: &FileSettings, loader: &dyn Loader) -> Checked {
     judge_as(question, found, |options| {
         check_file_with(question.name, question.path, options, question.compile, loader)
     })
@@ -34,12 +34,12 @@ pub fn judge(question: &Question<'_>, found: &Found, loader: &dyn Loader) -> Che
 
 impl Question<'_> {
     /// The same of something that is judged in another way.
-    pub fn judge_by(&self, found: &Found, check: impl FnOnce(&Options) -> Checked) -> Checked {
+    pub fn judge_by(&self, found: &FileSettings, check: impl FnOnce(&Options) -> Checked) -> Checked {
         judge_as(self, found, check)
     }
 }
 
-fn judge_as(question: &Question<'_>, found: &Found, check: impl FnOnce(&Options) -> Checked) -> Checked {
+fn judge_as(question: &Question<'_>, found: &FileSettings, check: impl FnOnce(&Options) -> Checked) -> Checked {
     if found.is_broken() {
         let (sources, diagnostics) = (found.sources.clone(), found.diagnostics.clone());
         return Checked::refused(question.name, sources, diagnostics, &Options::default());

@@ -8,4 +8,4 @@ pub mod permissions;
 mod settings;
 
 pub use judge::{Question, judge, proofs, silence};
-pub use settings::{Found, Judging};
+pub use settings::{FileSettings, Judging};

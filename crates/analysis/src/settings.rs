@@ -22,7 +22,7 @@ pub struct Judging {
 
 /// The settings that count for a file.
 #[derive(Debug, Default)]
-pub struct Found {
+pub struct FileSettings {
     /// Where they are, if there are any.
     pub file: Option<PathBuf>,
     /// Their text, for places.
@@ -33,7 +33,7 @@ pub struct Found {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-impl Found {
+impl FileSettings {
     /// The nearest settings that count for the file of a door, read from `loader`; `called`: what a file is called in
     /// messages.
     pub fn of(door: &Door, loader: &dyn Loader, called: impl Fn(&Path) -> String) -> Self {
@@ -84,11 +84,11 @@ mod tests {
     use super::*;
     use std::fs;
 
-    fn found(text: &[u8]) -> Found {
+    fn found(text: &[u8]) -> FileSettings {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("scenelang.toml"), text).unwrap();
         let door = Door::of(&folder.path().join("room.scene"));
-        Found::of(&door, &door, |path| path.file_name().unwrap().to_string_lossy().into_owned())
+        FileSettings::of(&door, &door, |path| path.file_name().unwrap().to_string_lossy().into_owned())
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //!
 //! So the box of the mesh stays what it is, and primitives stay closed.
 
-use crate::mesh::{Group, wide};
+use crate::mesh::{MeshGroup, wide};
 use scenelang_layout::Vec3;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -19,7 +19,7 @@ const FACE: f64 = 1e-6;
 const TOUCH: f64 = 2e-4;
 
 /// A primitive: its group, and its indices there.
-pub(crate) struct Piece {
+pub(crate) struct MeshPrimitive {
     pub group: usize,
     pub indices: Range<usize>,
 }
@@ -63,7 +63,7 @@ fn overlap(normal: &Vec3, [lo, hi]: &[Vec3; 2], [other_lo, other_hi]: &[Vec3; 2]
 }
 
 /// Moves faces apart.
-pub(crate) fn apart(groups: &mut [Group], pieces: &[Piece]) {
+pub(crate) fn apart(groups: &mut [MeshGroup], pieces: &[MeshPrimitive]) {
     let mut flats: Vec<Flat> = Vec::new();
     // Directions and where their triangles are: small, since there are many and most share their plane with no other piece.
     let mut ways: Vec<(u64, u32)> = Vec::new();
@@ -108,7 +108,7 @@ pub(crate) fn apart(groups: &mut [Group], pieces: &[Piece]) {
 const SHORT: f32 = 9e-5;
 
 /// Puts back to the box of the whole what was there, on those of its sides where nothing is left near.
-fn fill(groups: &mut [Group], before: &[Vec<[f32; 3]>], (lo, hi): (Vec3, Vec3)) {
+fn fill(groups: &mut [MeshGroup], before: &[Vec<[f32; 3]>], (lo, hi): (Vec3, Vec3)) {
     for axis in 0..3 {
         for bound in [lo[axis] as f32, hi[axis] as f32] {
             if groups.iter().flat_map(|g| &g.positions).any(|p| (p[axis] - bound).abs() < SHORT) {
@@ -172,7 +172,7 @@ fn drawn_back(plane: &[&Flat]) -> Vec<(usize, Vec3, f64, u32)> {
 
 /// Moves what of a primitive is in a plane inwards, and nothing out of the box of the whole.
 fn draw_back(
-    group: &mut Group,
+    group: &mut MeshGroup,
     indices: &Range<usize>,
     (normal, offset): (Vec3, f64),
     steps: u32,

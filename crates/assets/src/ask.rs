@@ -3,7 +3,7 @@
 use crate::looks::{self, Finish, Rgb, Stuff};
 use crate::mesh::Surface;
 use crate::words::{Dice, hash, words};
-use crate::{Request, block::Block, block::block};
+use crate::{AssetRequest, block::Block, block::block};
 use scenelang_layout::Vec3;
 
 /// One order for a piece of furniture.
@@ -23,7 +23,7 @@ pub(crate) struct Ask {
 
 impl Ask {
     /// Reads a request at a size.
-    pub fn new(request: &Request<'_>, size: Vec3) -> Self {
+    pub fn new(request: &AssetRequest<'_>, size: Vec3) -> Self {
         let text = [request.category, request.features, request.name];
         Self {
             w: size.x,

@@ -1,7 +1,7 @@
 //! Things stand out against the floor they stand on.
 
 use crate::looks::{Finish, Rgb, shade, surface, tinted_by};
-use crate::mesh::{Group, Mesh, wide};
+use crate::mesh::{Mesh, MeshGroup, wide};
 
 /// The least difference between a thing and its floor, see [`difference`].
 const LEAST: f64 = 12.0;
@@ -40,12 +40,12 @@ fn changed(color: Rgb, by: f32, is_wood: bool) -> Rgb {
 }
 
 /// The largest group that does not stand out, if such groups are more than half of all that have a colour of their own.
-fn lost(mesh: &Mesh, floor: [f32; 3]) -> Option<&Group> {
-    let own = |g: &&Group| !["glass", "mirror", "leaf", "water", "screen", "glow", "soil"].contains(&finish(g));
-    let areas: Vec<(&Group, f64)> = mesh.groups.iter().filter(own).map(|g| (g, area(g))).collect();
+fn lost(mesh: &Mesh, floor: [f32; 3]) -> Option<&MeshGroup> {
+    let own = |g: &&MeshGroup| !["glass", "mirror", "leaf", "water", "screen", "glow", "soil"].contains(&finish(g));
+    let areas: Vec<(&MeshGroup, f64)> = mesh.groups.iter().filter(own).map(|g| (g, area(g))).collect();
     let (near, far): (Vec<_>, Vec<_>) =
         areas.into_iter().partition(|(g, _)| !is_white(g.surface.color) && difference(g.surface.color, floor) < LEAST);
-    let sum = |of: &[(&Group, f64)]| of.iter().map(|(_, area)| area).sum::<f64>();
+    let sum = |of: &[(&MeshGroup, f64)]| of.iter().map(|(_, area)| area).sum::<f64>();
     let most = near.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(g, _)| *g);
     most.filter(|_| sum(&near) > 0.8 * sum(&far))
 }
@@ -55,11 +55,11 @@ fn is_white(color: Rgb) -> bool {
     lightness > 92.0 && a.hypot(b) < 6.0
 }
 
-fn finish(group: &Group) -> &str {
+fn finish(group: &MeshGroup) -> &str {
     group.surface.name.split('-').next().unwrap_or_default()
 }
 
-fn area(group: &Group) -> f64 {
+fn area(group: &MeshGroup) -> f64 {
     let corners = group.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]].map(|i| wide(group.positions[i as usize])));
     corners.map(|[a, b, c]| (b - a).cross(&(c - a)).norm()).sum()
 }

@@ -26,14 +26,14 @@ pub use contrast::{difference, stand_out};
 pub use lexicon::{categories, families, family_of, stand_in};
 pub use lights::Light;
 pub use looks::{color_names, color_of, covering, material_names, on_floor, on_wall, toned};
-pub use mesh::{Group, Mesh, Surface};
+pub use mesh::{Mesh, MeshGroup, Surface};
 pub use words::words;
 
 use scenelang_layout::{Joint, Part, Vec3};
 
 /// What is asked for. Texts are as the program has them; empty ones mean nothing was said.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Request<'a> {
+pub struct AssetRequest<'a> {
     /// The object's name (`chair[0]`): a second source for the kind, and the seed of small variations.
     pub name: &'a str,
     /// The noun.
@@ -72,19 +72,19 @@ pub struct Asset {
 }
 
 /// Makes what is asked for. The same request gives the same asset, on every machine.
-pub fn furnish(request: &Request<'_>) -> Asset {
+pub fn furnish(request: &AssetRequest<'_>) -> Asset {
     let mut asset = drawn(request);
     asset.mesh = std::mem::take(&mut asset.mesh).apart().unwrapped();
     asset
 }
 
 /// The same without the mesh, for whoever needs to know where it is and not what is seen of it: in less than half of the time.
-pub fn solid(request: &Request<'_>) -> Asset {
+pub fn solid(request: &AssetRequest<'_>) -> Asset {
     Asset { mesh: Mesh::default(), ..drawn(request) }
 }
 
 /// With a mesh as the family drew it: faces may lie in one plane, and nothing says where they are on their material.
-fn drawn(request: &Request<'_>) -> Asset {
+fn drawn(request: &AssetRequest<'_>) -> Asset {
     let size =
         request.size.filter(|s| s.iter().all(|c| c.is_finite() && *c > 0.0)).unwrap_or_else(|| Vec3::repeat(0.5));
     let found = family_of(request.category, request.name).and_then(families::maker);

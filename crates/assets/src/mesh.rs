@@ -4,7 +4,7 @@
 //! by the usual formula, points out of the solid: seen from outside it runs clockwise, as Unity wants it. To write a
 //! right-handed file, mirror x (positions and normals) and swap two indices of each triangle. Each primitive is closed.
 
-use crate::apart::{Piece, apart};
+use crate::apart::{MeshPrimitive, apart};
 use crate::block::Block;
 use crate::unwrap::unwrap;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -29,7 +29,7 @@ pub struct Surface {
 
 /// The triangles of one surface.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group {
+pub struct MeshGroup {
     /// Its look.
     pub surface: Surface,
     /// Vertices, in the frame of the object (metres).
@@ -46,7 +46,7 @@ pub struct Group {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// In order of first use.
-    pub groups: Vec<Group>,
+    pub groups: Vec<MeshGroup>,
     /// The primitives that are still to be unwrapped, in the order in which they were drawn.
     solids: Vec<Solid>,
 }
@@ -60,8 +60,8 @@ struct Solid {
     turn: UnitQuaternion<f64>,
 }
 
-impl From<Vec<Group>> for Mesh {
-    fn from(groups: Vec<Group>) -> Self {
+impl From<Vec<MeshGroup>> for Mesh {
+    fn from(groups: Vec<MeshGroup>) -> Self {
         Self { groups, solids: Vec::new() }
     }
 }
@@ -78,7 +78,7 @@ impl Mesh {
         self.groups.iter().map(|g| g.indices.len() / 3).sum()
     }
     /// The group of a surface, made on first use; a new primitive begins in it.
-    pub(crate) fn group(&mut self, surface: &Surface) -> &mut Group {
+    pub(crate) fn group(&mut self, surface: &Surface) -> &mut MeshGroup {
         let at = self.find(surface);
         let first = self.groups[at].indices.len();
         self.solids.push(Solid { group: at, first, turn: UnitQuaternion::identity() });
@@ -94,7 +94,7 @@ impl Mesh {
     }
     fn find(&mut self, surface: &Surface) -> usize {
         self.groups.iter().position(|g| g.surface.name == surface.name).unwrap_or_else(|| {
-            self.groups.push(Group {
+            self.groups.push(MeshGroup {
                 surface: surface.clone(),
                 positions: Vec::new(),
                 normals: Vec::new(),
@@ -111,8 +111,8 @@ impl Mesh {
             let next = self.solids[at + 1..].iter().find(|s| s.group == group);
             next.map_or(self.groups[group].indices.len(), |s| s.first)
         };
-        let piece = |(at, s): (usize, &Solid)| Piece { group: s.group, indices: s.first..end(at) };
-        let pieces: Vec<Piece> = self.solids.iter().enumerate().map(piece).collect();
+        let piece = |(at, s): (usize, &Solid)| MeshPrimitive { group: s.group, indices: s.first..end(at) };
+        let pieces: Vec<MeshPrimitive> = self.solids.iter().enumerate().map(piece).collect();
         apart(&mut self.groups, &pieces);
         self
     }
@@ -178,7 +178,7 @@ impl Mesh {
     }
 }
 
-impl Group {
+impl MeshGroup {
     /// Adds a vertex.
     pub(crate) fn vertex(&mut self, p: Vec3, n: Vec3) -> u32 {
         self.positions.push(narrow(p));

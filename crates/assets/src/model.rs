@@ -6,7 +6,7 @@ use scenelang_layout::{Joint, Part, Vec3};
 
 /// Parts and mesh of one object, in its own frame.
 #[derive(Debug, Default)]
-pub(crate) struct Model {
+pub(crate) struct BuiltModel {
     /// Convex parts.
     pub parts: Vec<Part>,
     /// Triangles.
@@ -17,7 +17,7 @@ pub(crate) struct Model {
     pub joints: Vec<Joint>,
 }
 
-impl Model {
+impl BuiltModel {
     /// A box that is touched and drawn by hand.
     pub fn solid(&mut self, b: Block) {
         if b.size().min() > 0.0 {

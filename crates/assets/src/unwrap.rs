@@ -4,7 +4,7 @@
 //! So one metre of a surface is one metre of its material, or at least 0.57 of it where the surface is seen at a slant, and
 //! the grain (the second axis) runs along the greater extent of what is seen.
 
-use crate::mesh::{Group, wide};
+use crate::mesh::{MeshGroup, wide};
 use nalgebra::UnitQuaternion;
 use scenelang_layout::Vec3;
 use std::ops::Range;
@@ -16,7 +16,7 @@ const LONGER: f64 = 1.02;
 
 /// Gives a group its `uvs`. A primitive begins at each of the indices of `solids` and lies along the axes beside it.
 /// Vertices that are seen from several sides are doubled.
-pub(crate) fn unwrap(group: &mut Group, solids: &[(usize, UnitQuaternion<f64>)]) {
+pub(crate) fn unwrap(group: &mut MeshGroup, solids: &[(usize, UnitQuaternion<f64>)]) {
     let ends = solids.iter().skip(1).map(|(first, _)| *first).chain([group.indices.len()]);
     let count = group.positions.len();
     // Few vertices are seen from several sides.
@@ -51,7 +51,7 @@ struct Unwrapped {
 }
 
 impl Unwrapped {
-    fn solid(&mut self, group: &Group, range: Range<usize>, turn: &UnitQuaternion<f64>, number: usize) {
+    fn solid(&mut self, group: &MeshGroup, range: Range<usize>, turn: &UnitQuaternion<f64>, number: usize) {
         let corners = &group.indices[range];
         let upright = *turn == UnitQuaternion::identity();
         let (mut lo, mut hi) = (Vec3::repeat(f64::MAX), Vec3::repeat(f64::MIN));

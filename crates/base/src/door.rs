@@ -10,7 +10,7 @@
 mod place;
 mod read;
 
-pub use place::{MARK, Place};
+pub use place::{FilePlace, MARK};
 pub use read::MOST;
 
 use std::collections::BTreeSet;
@@ -56,7 +56,7 @@ pub struct Door {
     /// What else the user has named.
     named: Arc<Named>,
     /// Looked for when the first file is asked for.
-    place: OnceLock<Place>,
+    place: OnceLock<FilePlace>,
 }
 
 impl Door {
@@ -70,7 +70,7 @@ impl Door {
     /// workspace that it stands in, nothing is written through it: who made it may be somebody else.
     pub fn within(folder: &Path) -> Self {
         let folder = whole(folder);
-        let above = Place::of(folder.parent().unwrap_or(&folder), &[]).root;
+        let above = FilePlace::of(folder.parent().unwrap_or(&folder), &[]).root;
         let leads_out = !nearest(&folder).starts_with(nearest(&above));
         Self { fixed: Some(if leads_out { above } else { folder.clone() }), ..Self::of(&folder) }
     }
@@ -100,11 +100,11 @@ impl Door {
         &self.place().settings
     }
 
-    fn place(&self) -> &Place {
+    fn place(&self) -> &FilePlace {
         self.place.get_or_init(|| match &self.fixed {
-            Some(folder) => Place { root: folder.clone(), settings: Vec::new() },
+            Some(folder) => FilePlace { root: folder.clone(), settings: Vec::new() },
             None => {
-                let mut place = Place::of(&self.path, &self.named.folders);
+                let mut place = FilePlace::of(&self.path, &self.named.folders);
                 if let Some(folder) = self.inside.as_ref().filter(|folder| !place.root.starts_with(folder)) {
                     place.root.clone_from(folder);
                 }

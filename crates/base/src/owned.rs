@@ -6,7 +6,7 @@
 
 mod change;
 
-pub use change::{Change, Record, Step, Steps};
+pub use change::{Change, ChangeStep, Record, Steps};
 
 use crate::fs::is_stream;
 use sha2::{Digest, Sha256};

@@ -2,7 +2,7 @@
 //! at, because the model would be used all the same.
 
 use crate::folder::Catalogue;
-use crate::model::Model;
+use crate::model::CatalogueModel;
 use scenelang_base::{Diagnostic, codes};
 use scenelang_layout::Vec3;
 use std::path::Path;
@@ -60,13 +60,13 @@ pub fn check(folder: &Path, usual: &dyn Fn(&str) -> Option<Vec3>) -> Result<Vec<
 }
 
 /// What is to be said of a model, in the order of the codes. Room and density mean nothing where the size is wrong.
-fn findings(model: &Model, usual: Option<Vec3>) -> Vec<Diagnostic> {
+fn findings(model: &CatalogueModel, usual: Option<Vec3>) -> Vec<Diagnostic> {
     let size = size(model, usual);
     let (parts, mass) = if size.is_none() { (parts(model), mass(model)) } else { (None, None) };
     [open(model), size, front(model), base(model), parts, mass, licence(model)].into_iter().flatten().collect()
 }
 
-fn open(model: &Model) -> Option<Diagnostic> {
+fn open(model: &CatalogueModel) -> Option<Diagnostic> {
     let open = model.origin.open_edges;
     let edges = if open == 1 { "edge has" } else { "edges have" };
     let say = format!("its mesh is not closed: {open} {edges} only one triangle");
@@ -75,7 +75,7 @@ fn open(model: &Model) -> Option<Diagnostic> {
     })
 }
 
-fn size(model: &Model, usual: Option<Vec3>) -> Option<Diagnostic> {
+fn size(model: &CatalogueModel, usual: Option<Vec3>) -> Option<Diagnostic> {
     let found = |say: String| Diagnostic::without_place(codes::W0702, say);
     if model.origin.distortion > DISTORTION {
         let say = format!(
@@ -113,14 +113,14 @@ fn with_unit(found: Diagnostic, ratio: f64) -> Diagnostic {
     found.note("write its size in metres on its card: `\"size\": [w, h, d]`")
 }
 
-fn front(model: &Model) -> Option<Diagnostic> {
+fn front(model: &CatalogueModel) -> Option<Diagnostic> {
     model.card.front.is_none().then(|| {
         Diagnostic::without_place(codes::W0703, "the direction of its front is not given; +z is assumed")
             .note("state it on its card: `\"front\": \"+z\"`, another axis, or an angle in degrees")
     })
 }
 
-fn base(model: &Model) -> Option<Diagnostic> {
+fn base(model: &CatalogueModel) -> Option<Diagnostic> {
     let base = model.origin.base;
     let most = BASE.max(BASE_SHARE * model.size.y);
     let side = if base > 0.0 { "above" } else { "below" };
@@ -131,7 +131,7 @@ fn base(model: &Model) -> Option<Diagnostic> {
     })
 }
 
-fn parts(model: &Model) -> Option<Diagnostic> {
+fn parts(model: &CatalogueModel) -> Option<Diagnostic> {
     let origin = model.origin;
     let volume = origin.volume?;
     let (filled, room) = (volume / origin.filled, origin.filled - volume);
@@ -146,7 +146,7 @@ fn parts(model: &Model) -> Option<Diagnostic> {
     })
 }
 
-fn mass(model: &Model) -> Option<Diagnostic> {
+fn mass(model: &CatalogueModel) -> Option<Diagnostic> {
     let mass = model.card.mass?;
     let density = mass / model.size.product();
     let why = match () {
@@ -159,7 +159,7 @@ fn mass(model: &Model) -> Option<Diagnostic> {
     Some(Diagnostic::without_place(codes::W0706, say).note("give the mass in kilograms on its card: `\"mass\": 7.5`"))
 }
 
-fn licence(model: &Model) -> Option<Diagnostic> {
+fn licence(model: &CatalogueModel) -> Option<Diagnostic> {
     model.card.licence.is_none().then(|| {
         Diagnostic::without_place(codes::W0707, "no licence is stated")
             .note("state it on its card: `\"licence\": \"CC0-1.0\"`")

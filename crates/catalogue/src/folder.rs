@@ -3,7 +3,7 @@
 use crate::card::Card;
 use crate::faults::{Fault, beyond, fault, unreadable};
 use crate::features::{self, Features};
-use crate::model::{Axes, Model};
+use crate::model::{Axes, CatalogueModel};
 use crate::{glb, limits, obj, objathor};
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, codes};
@@ -163,7 +163,7 @@ impl Catalogue {
     ///
     /// # Errors
     /// The file cannot be read, is not what its format says, or goes beyond the limits.
-    pub fn model(&self, entry: &Entry) -> Result<Model, Box<Diagnostic>> {
+    pub fn model(&self, entry: &Entry) -> Result<CatalogueModel, Box<Diagnostic>> {
         self.model_of(entry, self.bytes(entry)?)
     }
 
@@ -177,14 +177,14 @@ impl Catalogue {
     }
 
     /// The model in a file.
-    pub(crate) fn model_of(&self, entry: &Entry, bytes: Vec<u8>) -> Result<Model, Fault> {
+    pub(crate) fn model_of(&self, entry: &Entry, bytes: Vec<u8>) -> Result<CatalogueModel, Fault> {
         let path = self.folder.join(&entry.file);
         let raw = match entry.kind {
             Kind::Objathor => return objathor::model(&entry.file, entry.card.clone(), bytes),
             Kind::Glb => glb::read(&bytes)?,
             Kind::Obj => obj::read(&bytes, path.parent().unwrap_or(&self.folder), &self.door)?,
         };
-        Model::new(&entry.file, entry.card.clone(), raw, Axes::RightHanded, Vec::new())
+        CatalogueModel::new(&entry.file, entry.card.clone(), raw, Axes::RightHanded, Vec::new())
     }
 }
 

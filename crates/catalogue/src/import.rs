@@ -2,9 +2,9 @@
 //! a card that says all of that. What is read from it needs no guess any more.
 
 use crate::folder::{Catalogue, Entry};
-use crate::model::Model;
+use crate::model::CatalogueModel;
 use crate::provide::sum;
-use scenelang_assets::{Group, Surface};
+use scenelang_assets::{MeshGroup, Surface};
 use scenelang_base::Diagnostic;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -76,7 +76,7 @@ fn name(file: &str, taken: &mut BTreeSet<String>) -> String {
     free.unwrap_or_else(|| format!("{stem}.glb"))
 }
 
-fn card(model: &Model, content: &str) -> Value {
+fn card(model: &CatalogueModel, content: &str) -> Value {
     let card = &model.card;
     let mut out = json!({
         "category": card.category,
@@ -104,8 +104,8 @@ fn card(model: &Model, content: &str) -> Value {
 }
 
 /// A model as a GLB file: right-handed, so mirrored along x.
-fn glb(model: &Model) -> Vec<u8> {
-    let groups: Vec<&Group> = model.mesh.groups.iter().filter(|g| !g.indices.is_empty()).collect();
+fn glb(model: &CatalogueModel) -> Vec<u8> {
+    let groups: Vec<&MeshGroup> = model.mesh.groups.iter().filter(|g| !g.indices.is_empty()).collect();
     let mut binary: Vec<u8> = Vec::new();
     let (mut views, mut accessors) = (Vec::new(), Vec::new());
     let mut add = |bytes: Vec<u8>, target: u32, accessor: Value| {

@@ -2,7 +2,7 @@
 //! the folder of objathor and Holodeck.
 //!
 //! What comes in is not trusted. Each file is read up to [`limits`], may refer to nothing outside of its folder, and
-//! what cannot be used is one diagnostic, after which the next file goes on. A [`Model`] is in metres and in the frame
+//! what cannot be used is one diagnostic, after which the next file goes on. A [`CatalogueModel`] is in metres and in the frame
 //! of the layout (left-handed, y up; origin in the middle of the bottom face; front to +z), like the furniture of
 //! `scenelang_assets`, and made of convex parts.
 //!
@@ -34,7 +34,9 @@ pub use check::{Checked, check};
 pub use features::{Features, LAMBDA_SEMANTIC, LAMBDA_VISUAL, TAU, published_score};
 pub use folder::{Catalogue, Entry, Refused};
 pub use import::{Imported, Kept, import};
-pub use model::{Model, Origin};
+pub use model::{CatalogueModel, Origin};
 pub use provide::generator;
-pub use provide::{AssetProvider, Boxed, Chain, Choice, Given, Library, Local, Piece, Query, Remark, Reply, Why};
+pub use provide::{
+    AssetProvider, Boxed, Chain, Choice, Given, Library, Local, ProvidedModel, Query, Remark, Reply, Why,
+};
 pub use search::{B, Hit, Index, K1, size_factor};

@@ -6,13 +6,13 @@ use crate::limits;
 use crate::pieces::{THINNEST, take_apart};
 use crate::raw::{Patch, Raw};
 use nalgebra::Matrix3;
-use scenelang_assets::{Group, Mesh};
+use scenelang_assets::{Mesh, MeshGroup};
 use scenelang_base::codes;
 use scenelang_layout::{Part, Vec3};
 
 /// A model, ready to be placed. Frame and unit are those of the furniture library.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub struct CatalogueModel {
     /// The file, below the folder of the catalogue.
     pub file: String,
     /// What is known of it.
@@ -54,7 +54,7 @@ pub(crate) enum Axes {
     LeftHanded,
 }
 
-impl Model {
+impl CatalogueModel {
     /// Brings triangles of a file into the frame of the layout. `parts`: the convex parts that the file has itself, in its
     /// own frame.
     pub(crate) fn new(file: &str, card: Card, mut raw: Raw, axes: Axes, parts: Vec<Part>) -> Result<Self, Fault> {
@@ -159,7 +159,7 @@ fn mesh(patches: &[Patch]) -> Mesh {
         let at = known.unwrap_or_else(|| {
             let surface = patch.surface.clone();
             let (positions, normals, uvs, indices) = Default::default();
-            out.groups.push(Group { surface, positions, normals, uvs, indices });
+            out.groups.push(MeshGroup { surface, positions, normals, uvs, indices });
             out.groups.len() - 1
         });
         add(&mut out.groups[at], patch);
@@ -167,7 +167,7 @@ fn mesh(patches: &[Patch]) -> Mesh {
     out
 }
 
-fn add(group: &mut Group, patch: &Patch) {
+fn add(group: &mut MeshGroup, patch: &Patch) {
     let narrow = |v: Vec3| [v.x as f32, v.y as f32, v.z as f32];
     let first = group.positions.len() as u32;
     if patch.normals.len() == patch.positions.len() {

@@ -8,7 +8,7 @@
 use crate::card::Card;
 use crate::faults::{Fault, beyond, broken, fault};
 use crate::limits;
-use crate::model::{Axes, Model};
+use crate::model::{Axes, CatalogueModel};
 use crate::raw::{Patch, Raw};
 use flate2::read::GzDecoder;
 use scenelang_assets::covering;
@@ -166,7 +166,7 @@ impl Card {
 }
 
 /// Reads the triangles of an object.
-pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<Model, Fault> {
+pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<CatalogueModel, Fault> {
     let bytes = unpacked(bytes)?;
     let asset: Asset =
         serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is not an objathor model: {e}")))?;
@@ -185,7 +185,7 @@ pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<Model, Fau
     let parts = asset.colliders.iter().filter_map(hull).map(|points| Part::Hull { points }).collect();
     // It is turned by the offset when it is loaded, so its front in the file is where that turns to +z.
     let turned = Card { front: Some((-asset.y_rot_offset).rem_euclid(360.0)), size: None, ..card.clone() };
-    let mut model = Model::new(file, turned, raw, Axes::LeftHanded, parts)?;
+    let mut model = CatalogueModel::new(file, turned, raw, Axes::LeftHanded, parts)?;
     if let Some(said) = card.size {
         let off = said.component_div(&model.size);
         model.origin.distortion = off.max().max(1.0 / off.min());

@@ -6,7 +6,7 @@ use scenelang_base::door::Door;
 use scenelang_lang::{Options, Program, compile_text};
 use scenelang_layout::{Layout, Placement, RegionPlacement, Vec3};
 use scenelang_solve::{Progress, QUALITY, Stop};
-use scenelang_synth::{Hold, Observer, Request, Stage};
+use scenelang_synth::{Hold, LayoutRequest, Observer, Stage};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -104,7 +104,7 @@ fn solve(c: &mut Criterion) {
     for scene in &scenes {
         let file = scene.file_name().expect("a file has a name").to_string_lossy().into_owned();
         let layout_name = scene.with_extension("layout.json").display().to_string();
-        let request = Request {
+        let request = LayoutRequest {
             name: &file,
             path: scene,
             files: &Door::of(scene),

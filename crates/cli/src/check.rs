@@ -2,7 +2,7 @@
 
 use crate::args::{Beside, Check, Format, Judging, Verbosity};
 use crate::progress::Progress;
-use crate::targets::Target;
+use crate::targets::JudgeTarget;
 use crate::watch::{Seen, Watched};
 use crate::{FAILED, GOOD, fix, foreign, interrupt, out, parallel, permissions, settings, targets, watch};
 use scenelang_analysis::Question;
@@ -52,7 +52,7 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
         proofs: args.explain_proof,
         ..Detail::default()
     };
-    let work = |target: &Target| {
+    let work = |target: &JudgeTarget| {
         let door = Door::of(target.path()).named(&named);
         let watched = seen.map(|seen| Watched { seen, door: &door });
         let loader = watched.as_ref().map_or(&door as &dyn Loader, |watched| watched);
@@ -101,7 +101,7 @@ pub fn pass(args: &Check, seen: Option<&Seen>) -> u8 {
 /// Judges one target by its settings; files come from `loader`, where `door` allows them. `beside`: what is known of a file of
 /// another system.
 pub fn judge(
-    target: &Target,
+    target: &JudgeTarget,
     judging: &Judging,
     beside: &Beside,
     detail: Detail,
@@ -118,15 +118,15 @@ pub fn judge(
         question.judge_by(&found, |options| Checked::refused(&name, SourceMap::new(), vec![finding], options))
     };
     match target {
-        Target::File(_) => match foreign::find(&name, path, beside, loader) {
+        JudgeTarget::File(_) => match foreign::find(&name, path, beside, loader) {
             Some(read) => question.judge_by(&found, |options| foreign::judge(&name, read, &question, options)),
             None => scenelang_analysis::judge(&question, &found, loader),
         },
-        Target::Empty(_) => {
+        JudgeTarget::Empty(_) => {
             let say = format!("there is no .scene and no .layout.json file in {name}");
             nothing(Diagnostic::without_place(codes::E0001, say))
         }
-        Target::Carrier(path, kind) => match embedded::read(&name, path, *kind, loader) {
+        JudgeTarget::Carrier(path, kind) => match embedded::read(&name, path, *kind, loader) {
             Err(finding) => nothing(*finding),
             Ok(scene) => question.judge_by(&found, |options| {
                 let (called, at, text) = (&scene.layout_name, &scene.layout_path, scene.layout.clone());

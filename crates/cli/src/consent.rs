@@ -2,7 +2,7 @@
 //! `scenelang.toml` says of models configures one, and never turns it on, says where a key is sent, or allows more than the
 //! user does. The user is the command line, `SCENELANG_MODEL`, the file `config.toml` of their own, or the editor's setting.
 
-use crate::args::Model as Given;
+use crate::args::ModelOptions;
 use scenelang_base::door::Door;
 use scenelang_base::{FileId, SourceFile, SourceMap};
 use scenelang_lang::sources::plain as why;
@@ -46,7 +46,7 @@ pub enum Consent {
 ///
 /// # Errors
 /// The user's own file cannot be used, or the model is to come from settings that name none.
-pub fn consent(given: &Given, workspace: &Llm) -> Result<Consent, Error> {
+pub fn consent(given: &ModelOptions, workspace: &Llm) -> Result<Consent, Error> {
     if given.model.as_deref() == Some(NONE) {
         return Ok(Consent::Unasked(None));
     }
@@ -54,7 +54,7 @@ pub fn consent(given: &Given, workspace: &Llm) -> Result<Consent, Error> {
     decide(given, said.as_deref(), &own()?, workspace)
 }
 
-fn decide(given: &Given, environment: Option<&str>, own: &Llm, workspace: &Llm) -> Result<Consent, Error> {
+fn decide(given: &ModelOptions, environment: Option<&str>, own: &Llm, workspace: &Llm) -> Result<Consent, Error> {
     let named = |llm: &Llm| llm.model.clone().filter(|m| m != NONE && m != CONFIGURED);
     let wanted = given.model.as_deref().or(environment).or(own.model.as_deref());
     let model = match wanted {
@@ -93,7 +93,7 @@ fn provider(model: &str) -> &str {
 }
 
 /// The settings of both. How a model is asked is for the workspace to say, what it may cost for the user.
-fn together(given: &Given, own: &Llm, workspace: &Llm, notes: &mut Vec<String>) -> Llm {
+fn together(given: &ModelOptions, own: &Llm, workspace: &Llm, notes: &mut Vec<String>) -> Llm {
     let mut most = |option: &str, given: Option<u64>, own: Option<u64>, usual: u64, asked: Option<u64>| {
         let allowed = given.unwrap_or(own.unwrap_or(usual));
         match asked {
@@ -200,8 +200,8 @@ mod tests {
         read_own(&format!("[llm]\n{text}"), FileId(0)).unwrap()
     }
 
-    fn flag(model: Option<&str>, base: Option<&str>) -> Given {
-        Given { model: model.map(str::to_owned), base_url: base.map(str::to_owned), ..Given::default() }
+    fn flag(model: Option<&str>, base: Option<&str>) -> ModelOptions {
+        ModelOptions { model: model.map(str::to_owned), base_url: base.map(str::to_owned), ..ModelOptions::default() }
     }
 
     #[test]
@@ -235,7 +235,8 @@ mod tests {
             assert_eq!(model.as_deref(), wanted, "{given:?} {environment:?} {own} {workspace}");
         }
         // Who is not asked is named, where nobody has said anything yet.
-        let unasked = |given: &Given, environment| decide(given, environment, &Llm::default(), &llm(here)).unwrap();
+        let unasked =
+            |given: &ModelOptions, environment| decide(given, environment, &Llm::default(), &llm(here)).unwrap();
         assert_eq!(unasked(&flag(None, None), None), Consent::Unasked(Some("openai:here".to_owned())));
         assert_eq!(unasked(&flag(None, None), Some("none")), Consent::Unasked(None));
     }
@@ -306,7 +307,8 @@ mod tests {
                 Some("scenelang.toml asks for 1 calls; 0 are allowed unless you pass --max-calls 1"),
             ),
         ] {
-            let flags = Given { model: Some("ollama:m".to_owned()), max_calls: given, ..Given::default() };
+            let flags =
+                ModelOptions { model: Some("ollama:m".to_owned()), max_calls: given, ..ModelOptions::default() };
             let Consent::Given(allowed) = decide(&flags, None, &llm(own), &llm(workspace)).unwrap() else { panic!() };
             let Allowed { llm, notes, .. } = *allowed;
             assert_eq!((llm.max_calls.unwrap(), llm.max_tokens.unwrap()), wanted, "{own} {workspace}");
@@ -315,7 +317,7 @@ mod tests {
         // Prices of strangers do not stretch a budget of money.
         let own = llm("max_money = 1\nprices.\"openai:m\" = { input = 1, output = 2 }");
         let workspace = llm("max_money = 5\nrounds = 9\nprices.\"openai:m\" = { input = 0, output = 0 }");
-        let both = together(&Given::default(), &own, &workspace, &mut Vec::new());
+        let both = together(&ModelOptions::default(), &own, &workspace, &mut Vec::new());
         assert_eq!((both.max_money, both.rounds), (Some(1.0), Some(9)));
         assert_eq!(both.prices, [("openai:m".to_owned(), [1.0, 2.0])]);
     }

@@ -5,10 +5,10 @@ use crate::args::{Beside, Diff, SummaryFormat};
 use crate::check::judge;
 use crate::solve::color_err;
 use crate::table::Table;
-use crate::targets::{Target, find};
+use crate::targets::{JudgeTarget, find};
 use scenelang_base::Diagnostic;
 use scenelang_base::door::{Door, Named};
-use scenelang_verify::compare::{Changed, Comparison, Difference, Side, Thing, compare};
+use scenelang_verify::compare::{Changed, ChangedThing, ComparedVerdict, Comparison, Difference, compare};
 use scenelang_verify::{Checked, Detail, report};
 use std::path::PathBuf;
 
@@ -45,11 +45,11 @@ pub fn run(args: &Diff) -> u8 {
 }
 
 /// A layout, or what carries one.
-fn target(path: &PathBuf) -> Result<Target, String> {
-    let layout = |t: &Target| match t {
-        Target::File(path) => path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")),
-        Target::Carrier(..) => true,
-        Target::Empty(_) => false,
+fn target(path: &PathBuf) -> Result<JudgeTarget, String> {
+    let layout = |t: &JudgeTarget| match t {
+        JudgeTarget::File(path) => path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")),
+        JudgeTarget::Carrier(..) => true,
+        JudgeTarget::Empty(_) => false,
     };
     match find(std::slice::from_ref(path)).as_slice() {
         [one] if one.path() == path && layout(one) => Ok(one.clone()),
@@ -67,7 +67,7 @@ fn human(c: &Comparison) -> String {
     let mut out = String::new();
     for (what, things) in [("object", &c.objects), ("region", &c.regions)] {
         let mut table = Table::new(&[what, "is", "how"]);
-        for Thing { name, changes } in things {
+        for ChangedThing { name, changes } in things {
             for change in changes {
                 table.row([name.clone(), change.what.as_str().to_owned(), change.words.clone()]);
             }
@@ -115,7 +115,7 @@ fn add(out: &mut String, table: &Table, empty: bool) {
     }
 }
 
-fn margin(side: Option<Side>, row: &Difference) -> String {
+fn margin(side: Option<ComparedVerdict>, row: &Difference) -> String {
     match (side.and_then(|s| s.margin), row.unit.as_deref()) {
         (Some(margin), Some("deg")) => format!("{margin:.1}°"),
         (Some(margin), Some(unit)) => format!("{margin:.3} {unit}"),

@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::table::Table;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, replace};
 use scenelang_base::door::Door;
-use scenelang_eval::{Case, Reading, Request, Requests, Share, read_folder};
+use scenelang_eval::{Case, EvalRequest, Reading, Requests, Share, read_folder};
 use scenelang_formalize::Options;
 use std::fmt::Write;
 use std::path::Path;
@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 pub fn requests(args: &EvalRequests) -> u8 {
     let progress = Progress::new("reading");
     let follow = |n: usize, of: usize| progress.say(format!("request {} of {of}", n + 1));
-    let reader = |request: Request<'_>| match &args.programs {
+    let reader = |request: EvalRequest<'_>| match &args.programs {
         Some(folder) => written(folder, request),
         None => read_now(args, request),
     };
@@ -47,7 +47,7 @@ pub fn requests(args: &EvalRequests) -> u8 {
 }
 
 /// What our English reader makes of a request.
-fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String> {
+fn read_now(args: &EvalRequests, request: EvalRequest<'_>) -> Result<Reading, String> {
     let begun = Instant::now();
     let mut read = scenelang_formalize::read(request.text, &Options { literal: !args.expand });
     if !args.untried {
@@ -66,7 +66,7 @@ fn read_now(args: &EvalRequests, request: Request<'_>) -> Result<Reading, String
 }
 
 /// The program that a folder has for a request.
-fn written(folder: &Path, request: Request<'_>) -> Result<Reading, String> {
+fn written(folder: &Path, request: EvalRequest<'_>) -> Result<Reading, String> {
     let path = folder.join(format!("{}.scene", request.name));
     let bytes = Door::within(folder).read(&path).map_err(|e| format!("{}: {e}", path.display()))?;
     let program = String::from_utf8(bytes).map_err(|_| format!("{} is not valid UTF-8", path.display()))?;

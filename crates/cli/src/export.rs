@@ -5,7 +5,7 @@ use crate::edited::{self, Taken};
 use crate::rebuild::Rebuild;
 use crate::replace::May;
 use crate::room::CheckedLayout;
-use crate::trial::{self, Trial};
+use crate::trial::{self, TrialOutcome};
 use crate::{FAILED, FINDINGS, formats, out, replace};
 use scenelang_base::FileId;
 use scenelang_base::owned::sealed_json;
@@ -61,7 +61,7 @@ struct Rebuilt {
 }
 
 impl Exported {
-    fn json(&self, trial: Option<&Result<Trial, String>>) -> Value {
+    fn json(&self, trial: Option<&Result<TrialOutcome, String>>) -> Value {
         let files: Vec<String> = self.written.iter().map(|p| p.display().to_string()).collect();
         let lost = formats::json(&self.lost);
         let mut out = json!({ "format": EXPORT, "ok": self.code == 0, "files": files, "lost": lost });
@@ -78,7 +78,7 @@ impl Exported {
     }
 }
 
-fn human(exported: &Exported, trial: Option<&Result<Trial, String>>) {
+fn human(exported: &Exported, trial: Option<&Result<TrialOutcome, String>>) {
     eprint!("{}", formats::notes(&exported.lost));
     if let Some(rebuilt) = &exported.rebuilt {
         out::show(&format!("{}\n", rebuilt.text));

@@ -1,13 +1,13 @@
 //! `scenelang formalize`: a request in plain words as a program, and what became of each of its clauses.
 
 use crate::args::{Formalize, Judging, SummaryFormat};
-use crate::model::Asked;
+use crate::model::ModelSession;
 use crate::progress::{Progress, solving};
 use crate::solve::explain;
 use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
 use scenelang_base::door::Door;
 use scenelang_formalize::brief::{Word, json};
-use scenelang_formalize::draft::{Source, Statement};
+use scenelang_formalize::draft::{Statement, ThingOrigin};
 use scenelang_formalize::read::BECAME_NOTHING;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Brief, Options, Reading, of_brief, read, read_brief};
@@ -34,9 +34,9 @@ pub fn run(args: &Formalize) -> u8 {
     let time = args.time.map(Duration::from_secs_f64);
     interrupt::within(time);
     let asked = match (&args.request, &args.file, &args.from_brief) {
-        (Some(request), _, _) => Ok(Request::Words(request.clone())),
-        (None, Some(path), _) => text(path).map(Request::Words),
-        (None, None, Some(path)) => brief(path).map(|brief| Request::Brief(Box::new(brief))),
+        (Some(request), _, _) => Ok(RequestSource::Words(request.clone())),
+        (None, Some(path), _) => text(path).map(RequestSource::Words),
+        (None, None, Some(path)) => brief(path).map(|brief| RequestSource::Brief(Box::new(brief))),
         (None, None, None) => Err("there is no request".to_owned()),
     };
     let asked = match asked {
@@ -54,14 +54,14 @@ pub fn run(args: &Formalize) -> u8 {
         Ok((_, settings)) => settings,
         Err(refused) => return explain(&Failure::Input(refused.sources, refused.diagnostics)),
     };
-    let mut model = match Asked::new(&args.model, &settings.llm, 0) {
+    let mut model = match ModelSession::new(&args.model, &settings.llm, 0) {
         Ok(model) => model,
         Err(error) => return fail(&error.to_string()),
     };
     if model.is_some() && (args.brief || args.from_brief.is_some()) {
         return fail("briefs are made by the built-in reader only: leave out --model, or --brief and --from-brief");
     }
-    if let (Request::Words(request), true) = (&asked, args.brief) {
+    if let (RequestSource::Words(request), true) = (&asked, args.brief) {
         let brief = read_brief(request);
         print!("{}", json::write(&brief));
         return if brief.words.iter().any(|word| word.used) { GOOD } else { FINDINGS };
@@ -113,7 +113,7 @@ pub fn run(args: &Formalize) -> u8 {
 }
 
 /// What a program is to be written from.
-pub enum Request {
+pub enum RequestSource {
     /// A text.
     Words(String),
     /// What was understood of one.
@@ -122,7 +122,7 @@ pub enum Request {
 
 /// How many statements that the request makes became preferences.
 fn relaxed(reading: &Reading) -> usize {
-    let stated = |s: &&Statement| s.relaxed && matches!(s.source, Source::Stated(_));
+    let stated = |s: &&Statement| s.relaxed && matches!(s.source, ThingOrigin::Stated(_));
     reading.draft.statements.iter().filter(stated).count()
 }
 
@@ -153,19 +153,19 @@ pub struct Understood {
 ///
 /// With a time, the trial ends when it is over; `stop` ends it, too.
 pub fn understand(
-    request: Request,
+    request: RequestSource,
     literal: bool,
     tried: bool,
     time: Option<Duration>,
     stop: &Stop,
-    model: Option<&mut Asked>,
+    model: Option<&mut ModelSession>,
 ) -> Result<Understood, String> {
     let begun = Instant::now();
     let options = Options { literal };
     let (mut reading, mut diagnostics) = match (request, model) {
-        (Request::Brief(brief), _) => (of_brief(*brief, &options), Vec::new()),
-        (Request::Words(request), None) => (read(&request, &options), Vec::new()),
-        (Request::Words(request), Some(model)) => {
+        (RequestSource::Brief(brief), _) => (of_brief(*brief, &options), Vec::new()),
+        (RequestSource::Words(request), None) => (read(&request, &options), Vec::new()),
+        (RequestSource::Words(request), Some(model)) => {
             let formalized = model.formalize(&request, &options).map_err(|error| error.to_string())?;
             (formalized.reading(), formalized.diagnostics)
         }
@@ -219,7 +219,7 @@ pub fn try_out(reading: &mut Reading, stop: &Stop) -> (Tried, Option<Layout>) {
 }
 
 /// What went wrong with the model, and what it took, for people.
-pub fn tell(diagnostics: &[String], model: Option<&Asked>) {
+pub fn tell(diagnostics: &[String], model: Option<&ModelSession>) {
     for diagnostic in diagnostics {
         eprintln!("warning: {diagnostic}");
     }
@@ -343,7 +343,8 @@ fn explained(reading: &Reading) -> String {
 
 /// Things, openings and statements that come from some bytes of the request.
 fn became(reading: &Reading, at: &std::ops::Range<usize>) -> Vec<String> {
-    let within = |source: &Source| matches!(source, Source::Stated(s) if s.start >= at.start && s.start < at.end);
+    let within =
+        |source: &ThingOrigin| matches!(source, ThingOrigin::Stated(s) if s.start >= at.start && s.start < at.end);
     let draft = &reading.draft;
     let rooms = draft.rooms.iter().filter(|r| within(&r.source)).map(|r| format!("region {}", r.name));
     let openings = draft.openings.iter().filter(|o| within(&o.source)).map(|o| format!("object {}", o.name));
@@ -358,9 +359,9 @@ fn became(reading: &Reading, at: &std::ops::Range<usize>) -> Vec<String> {
 /// What the request does not say, and why it is there.
 fn inferred(reading: &Reading) -> Vec<String> {
     let draft = &reading.draft;
-    let why = |source: &Source| match source {
-        Source::Inferred(why) => Some(why.clone()),
-        Source::Stated(_) => None,
+    let why = |source: &ThingOrigin| match source {
+        ThingOrigin::Inferred(why) => Some(why.clone()),
+        ThingOrigin::Stated(_) => None,
     };
     let things = draft.things.iter().filter_map(|t| why(&t.source).map(|w| format!("object {}: {w}", t.name)));
     let openings = draft.openings.iter().filter_map(|o| why(&o.source).map(|w| format!("object {}: {w}", o.name)));

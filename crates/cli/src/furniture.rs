@@ -9,9 +9,9 @@ use crate::interrupt;
 use crate::model::cache_folder;
 use crate::settings::find;
 use scenelang_base::door::{Door, outside};
-use scenelang_catalogue::generator::{Bounds, Command, Generator, Kind, Maker, Service};
+use scenelang_catalogue::generator::{Bounds, Command, Generator, Maker, Service, ServiceKind};
 use scenelang_catalogue::{AssetProvider, Chain, Library, Local};
-use scenelang_verify::settings::{Assets, Source, unknown};
+use scenelang_verify::settings::{Assets, ProviderKind, unknown};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -43,12 +43,12 @@ pub fn chain(given: &Furniture, workspace: &Assets, door: &Door, offline: bool) 
     if folders.is_empty() && generator.is_none() && order.is_none() {
         return Ok(None);
     }
-    let usual = Source::NAMES.map(|(_, source)| source);
+    let usual = ProviderKind::NAMES.map(|(_, source)| source);
     let least = workspace.least.or(own.least);
     let mut providers: Vec<Box<dyn AssetProvider>> = Vec::new();
     for source in order.map_or(&usual[..], Vec::as_slice) {
         match source {
-            Source::Local => {
+            ProviderKind::Local => {
                 for Folder { path, name } in &folders {
                     let local = Local::open(path, name, least).map_err(|d| format!("{name}: {}", d.message))?;
                     for refused in local.refused() {
@@ -57,14 +57,14 @@ pub fn chain(given: &Furniture, workspace: &Assets, door: &Door, offline: bool) 
                     providers.push(Box::new(local));
                 }
             }
-            Source::Generator => {
+            ProviderKind::Generator => {
                 if let Some((maker, bounds)) = generator.take() {
                     let most = bounds.most;
                     eprintln!("asking the generator {} for missing models: at most {most}", maker.name());
                     providers.push(Box::new(Generator::new(maker, bounds)));
                 }
             }
-            Source::Library => providers.push(Box::new(Library)),
+            ProviderKind::Library => providers.push(Box::new(Library)),
         }
     }
     Ok(Some(Chain::new(providers)))
@@ -89,8 +89,8 @@ fn generator(given: &Furniture, workspace: &Assets, own: &Assets, offline: bool)
                    [assets] of your own config.toml";
         Box::new(Command::new(&argv).ok_or(say)?)
     } else {
-        let Some((_, kind, ..)) = Kind::ALL.into_iter().find(|(known, ..)| *known == name) else {
-            let known: Vec<&str> = Kind::ALL.iter().map(|(name, ..)| *name).chain(["command"]).collect();
+        let Some((_, kind, ..)) = ServiceKind::ALL.into_iter().find(|(known, ..)| *known == name) else {
+            let known: Vec<&str> = ServiceKind::ALL.iter().map(|(name, ..)| *name).chain(["command"]).collect();
             return Err(unknown("generator", name, &known));
         };
         let base = rest.or(own.url.as_deref().filter(|_| same));

@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use crate::{FAILED, GOOD, out, replace};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use scenelang_assets::{Asset, Request, categories, families, family_of, furnish};
+use scenelang_assets::{Asset, AssetRequest, categories, families, family_of, furnish};
 use scenelang_base::fs::write_set;
 use scenelang_export::{ExportError, Scene, SceneInput, picture};
 use scenelang_lang::library::usual_size;
@@ -81,7 +81,12 @@ fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
     let usual = usual_size(named).map_or_else(|| Vec3::repeat(EDGE), Vec3::from);
     let mut text = format!("<section><h2>{noun}</h2><div>");
     for (size, factor) in SIZES {
-        let asset = furnish(&Request { name: "it", category: &noun, size: Some(usual * factor), ..Request::default() });
+        let asset = furnish(&AssetRequest {
+            name: "it",
+            category: &noun,
+            size: Some(usual * factor),
+            ..AssetRequest::default()
+        });
         let opens = !asset.joints.is_empty();
         for open in [false, true].into_iter().filter(|open| !open || opens) {
             let png = drawn(&noun, &asset, open).map_err(|e| e.to_string())?;
@@ -166,7 +171,7 @@ mod tests {
     fn what_stands_open_fills_a_box_that_is_deeper() {
         for category in ["fridge", "wardrobe", "door", "window"] {
             let size = usual_size(category).map(Vec3::from);
-            let asset = furnish(&Request { name: "it", category, size, ..Request::default() });
+            let asset = furnish(&AssetRequest { name: "it", category, size, ..AssetRequest::default() });
             let (parts, scale) = opened(&asset);
             assert!(scale.z > asset.size.z + 0.3, "{category}: {scale:?}");
             let (pos, rot) = (Vec3::zeros(), Vec3::zeros());

@@ -4,7 +4,7 @@
 use crate::args::Import;
 use crate::replace::May;
 use crate::solve::color_err;
-use crate::targets::{Target, find};
+use crate::targets::{JudgeTarget, find};
 use crate::{FAILED, GOOD, foreign, out, replace};
 use scenelang_base::door::{Door, Named, relative};
 use scenelang_base::{Diagnostic, SourceMap, plain};
@@ -30,8 +30,8 @@ pub fn run(args: &Import) -> u8 {
 fn import(args: &Import) -> Result<Vec<PathBuf>, String> {
     let targets = find(std::slice::from_ref(&args.scene));
     let (path, kind) = match targets.as_slice() {
-        [Target::Carrier(path, kind)] => (path, kind),
-        [Target::File(path)] if foreign::may_be(path) => return from_others(args, path),
+        [JudgeTarget::Carrier(path, kind)] => (path, kind),
+        [JudgeTarget::File(path)] if foreign::may_be(path) => return from_others(args, path),
         _ => {
             return Err(format!(
                 "{} is neither a GLB or USD file, nor the folder of a Unity project, nor a JSON file of another system",

@@ -1,6 +1,6 @@
 //! The language model that `formalize`, `solve` and `synth` may ask: from options and settings to a session, and what it came to.
 
-use crate::args::Model as Chosen;
+use crate::args::ModelOptions;
 use crate::consent::{Allowed, Consent, consent};
 use crate::interrupt;
 use scenelang_formalize::Formalized;
@@ -26,17 +26,17 @@ const CONVERSATION: &str = "\"format\": \"scenelang.conversation/";
 const CACHE: &str = "SCENELANG_CACHE";
 
 /// A model that is asked.
-pub struct Asked {
+pub struct ModelSession {
     session: Session,
     asking: Asking,
 }
 
-impl Asked {
+impl ModelSession {
     /// The model that the user wants asked, if any; what they should know of it is said on standard error.
     ///
     /// # Errors
     /// It cannot even be tried: no such provider, no key.
-    pub fn new(chosen: &Chosen, workspace: &Llm, seed: u64) -> Result<Option<Self>, Error> {
+    pub fn new(chosen: &ModelOptions, workspace: &Llm, seed: u64) -> Result<Option<Self>, Error> {
         match consent(chosen, workspace)? {
             Consent::Given(allowed) => {
                 for note in &allowed.notes {
@@ -61,7 +61,7 @@ impl Asked {
     ///
     /// # Errors
     /// It cannot even be tried.
-    pub fn allowed(allowed: &Allowed, chosen: &Chosen, seed: u64) -> Result<Self, Error> {
+    pub fn allowed(allowed: &Allowed, chosen: &ModelOptions, seed: u64) -> Result<Self, Error> {
         let Allowed { model, base, llm: settings, .. } = allowed;
         // `provider/name` is what others write; with a colon, a slash belongs to the name.
         let model = &if model.contains(':') { model.clone() } else { model.replacen('/', ":", 1) };
@@ -129,7 +129,7 @@ fn recordable(path: &Path) -> Result<(), Error> {
     Err(Error::File(say))
 }
 
-fn limits(chosen: &Chosen, settings: &Llm, name: &str) -> Limits {
+fn limits(chosen: &ModelOptions, settings: &Llm, name: &str) -> Limits {
     let usual = Retry::default();
     let tries = settings.tries.and_then(|n| u32::try_from(n).ok()).unwrap_or(usual.tries);
     let price = settings.prices.iter().find(|(model, _)| model == name);
@@ -161,7 +161,7 @@ pub fn cache_folder(kind: &str) -> Option<PathBuf> {
 }
 
 /// Prints what was asked and spent, if a model was there to ask.
-pub fn summary(asked: Option<&Asked>, advice: Option<&Advice>) {
+pub fn summary(asked: Option<&ModelSession>, advice: Option<&Advice>) {
     let (Some(asked), Some(Advice { tally, without })) = (asked, advice) else { return };
     println!("\nmodel {}", asked.session.spent());
     let rounds = if tally.rounds == 1 { "round" } else { "rounds" };
@@ -175,7 +175,7 @@ pub fn summary(asked: Option<&Asked>, advice: Option<&Advice>) {
 }
 
 /// The same as JSON.
-pub fn json(asked: Option<&Asked>, advice: Option<&Advice>) -> Option<Value> {
+pub fn json(asked: Option<&ModelSession>, advice: Option<&Advice>) -> Option<Value> {
     let (asked, Advice { tally, without }) = (asked?, advice?);
     let spent = asked.session.spent();
     Some(json!({

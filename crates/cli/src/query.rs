@@ -5,12 +5,12 @@ use crate::check::judge;
 use crate::room::layout_of;
 use crate::solve::color_err;
 use crate::table::Table;
-use crate::targets::{Target, find};
+use crate::targets::{JudgeTarget, find};
 use crate::{FAILED, GOOD, out};
 use scenelang_base::door::{Door, Named};
 use scenelang_base::{Diagnostic, codes, plain};
-use scenelang_verify::query::{Object, On, Opens, Pose, Query, RestsOn, Row, query};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::query::{Object, On, Opens, Pose, Query, QueryRow, RestsOn, query};
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::{Checked, Detail, Explain, exit_code, report};
 
 /// Answers; 0 if it is known, 2 if the scene cannot be judged or has no such object.
@@ -40,11 +40,11 @@ pub fn run(args: &Args) -> u8 {
 }
 
 /// The layout beside a program, else what was named.
-fn target(args: &Args) -> Result<Target, String> {
+fn target(args: &Args) -> Result<JudgeTarget, String> {
     let beside = layout_of(&args.scene);
     let path = if beside.is_file() { beside } else { args.scene.clone() };
     match find(std::slice::from_ref(&path)).as_slice() {
-        [one @ (Target::File(_) | Target::Carrier(..))] if one.path() == path => Ok(one.clone()),
+        [one @ (JudgeTarget::File(_) | JudgeTarget::Carrier(..))] if one.path() == path => Ok(one.clone()),
         _ => Err(format!(
             "{} is a folder; query takes a program, a layout, a GLB or USD file or the folder of a Unity project",
             path.display()
@@ -161,10 +161,10 @@ fn opening(joint: &Opens) -> String {
 }
 
 /// A constraint: verdict, place, text and margin; what was measured where it fails; what it was stated for.
-fn line(row: &Row, judged: bool) -> String {
+fn line(row: &QueryRow, judged: bool) -> String {
     let verdict = match (row.satisfied, row.kind) {
         (Some(true), _) => "holds",
-        (Some(false), Kind::Prefer) => "is not met",
+        (Some(false), RowKind::Prefer) => "is not met",
         (Some(false), _) => "FAILS",
         (None, _) if judged => "cannot be checked",
         (None, _) => "is stated",

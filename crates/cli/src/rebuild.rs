@@ -1,7 +1,7 @@
 //! What of an output folder is made again: the manifest in it, read before the work and written after it, and what is said of
 //! both (`--explain-rebuild`).
 
-use crate::args::Step;
+use crate::args::StageName;
 use crate::replace::{self, Changed, May};
 use scenelang_base::plain;
 use scenelang_export::{Exporter, OutFile, Scene};
@@ -22,11 +22,11 @@ pub struct Rebuild<'a> {
     /// What an earlier run has left.
     known: Known,
     /// The first stage that is made again in any case.
-    from: Option<Step>,
+    from: Option<StageName>,
     /// The next manifest's entry.
     next: Known,
     /// What is said of it.
-    pub told: Told,
+    pub told: RebuildReport,
 }
 
 /// An object or a format, and why it was made again.
@@ -34,7 +34,7 @@ type Again = (String, Vec<String>);
 
 /// What was made again, and why.
 #[derive(Default)]
-pub struct Told {
+pub struct RebuildReport {
     program: Option<Vec<String>>,
     /// How many objects there are, and why some of them were made again.
     assets: Option<(usize, Vec<Again>)>,
@@ -45,21 +45,21 @@ pub struct Told {
 
 impl<'a> Rebuild<'a> {
     /// Reads what is known of a scene.
-    pub fn of(folder: &'a Path, stem: &'a str, from: Option<Step>) -> Self {
+    pub fn of(folder: &'a Path, stem: &'a str, from: Option<StageName>) -> Self {
         let manifest = Manifest::of(folder);
         let known = manifest.scene(stem);
-        Self { folder, stem, next: known.clone(), known, manifest, from, told: Told::default() }
+        Self { folder, stem, next: known.clone(), known, manifest, from, told: RebuildReport::default() }
     }
 
     /// Whether a stage is made again because the user says so; why.
-    fn anew(&self, stage: Step) -> Option<String> {
+    fn anew(&self, stage: StageName) -> Option<String> {
         let from = self.from.filter(|from| *from <= stage)?;
         Some(format!("--from {}", name(from)))
     }
 
     /// Whether the program of a request need not be written again.
     pub fn has_program(&mut self, inputs: &Inputs) -> bool {
-        let anew = self.anew(Step::Program);
+        let anew = self.anew(StageName::Program);
         let same = self.known.program.iter().find(|state| state.inputs == *inputs);
         let is_there = same.is_some_and(|state| state.is_there(self.folder));
         let why = match (anew, same, is_there) {
@@ -70,7 +70,7 @@ impl<'a> Rebuild<'a> {
             (None, None, _) => vec!["the request, or the way it is read, has changed".to_owned()],
         };
         self.told.program = Some(why);
-        is_there && self.from != Some(Step::Program)
+        is_there && self.from != Some(StageName::Program)
     }
 
     /// Notes the program: what it was written from, and its files. A program that the user has written is read in any case.
@@ -91,13 +91,13 @@ impl<'a> Rebuild<'a> {
     pub fn before(&self, seed: u64) -> Option<Before> {
         // Another seed asks for another layout.
         let is_same = |before: &Before| before.inputs.get("seed").is_some_and(|was| *was == seed.to_string());
-        self.known.layout(self.folder).filter(is_same).filter(|_| self.anew(Step::Layout).is_none())
+        self.known.layout(self.folder).filter(is_same).filter(|_| self.anew(StageName::Layout).is_none())
     }
 
     /// Notes what objects were given.
     pub fn assets(&mut self, made: &Made) {
-        let anew = self.anew(Step::Assets);
-        let why = |(name, look): (&String, &rebuild::Look)| {
+        let anew = self.anew(StageName::Assets);
+        let why = |(name, look): (&String, &rebuild::AssetInput)| {
             let why = match (&anew, self.known.assets.get(name)) {
                 (Some(why), _) => vec![why.clone()],
                 (None, None) => vec!["it was not there before".to_owned()],
@@ -120,7 +120,7 @@ impl<'a> Rebuild<'a> {
         };
         // A layout that was taken is as good as one that was looked for.
         state.inputs.insert("quality".to_owned(), quality.to_string());
-        let why = match (self.anew(Step::Layout), taken, self.known.layout.last()) {
+        let why = match (self.anew(StageName::Layout), taken, self.known.layout.last()) {
             _ if solved.made.kept => Vec::new(),
             (Some(why), ..) => vec![why],
             (None, Some(from), _) => vec![format!("{from} was edited")],
@@ -145,7 +145,7 @@ impl<'a> Rebuild<'a> {
         exporters: &[Box<dyn Exporter>],
         go_on: &mut dyn FnMut(&str) -> bool,
     ) -> Result<Option<Planned>, String> {
-        let anew = self.anew(Step::Export);
+        let anew = self.anew(StageName::Export);
         let planned = rebuild::planned(scene, (self.folder, &self.known), exporters, anew.as_deref(), go_on);
         let planned = planned.map_err(|e| e.to_string())?;
         for format in planned.iter().flat_map(|planned| &planned.formats) {
@@ -192,16 +192,16 @@ impl<'a> Rebuild<'a> {
     }
 }
 
-fn name(stage: Step) -> &'static str {
+fn name(stage: StageName) -> &'static str {
     match stage {
-        Step::Program => "program",
-        Step::Assets => "assets",
-        Step::Layout => "layout",
-        Step::Export => "export",
+        StageName::Program => "program",
+        StageName::Assets => "assets",
+        StageName::Layout => "layout",
+        StageName::Export => "export",
     }
 }
 
-impl Told {
+impl RebuildReport {
     /// What is said to people.
     pub fn human(&self, folder: &Path) -> String {
         let mut out = String::new();

@@ -10,7 +10,7 @@ use scenelang_base::fs::{is_same, write_set};
 use scenelang_base::owned::sealed_json;
 use scenelang_engine::{check_file_with, program_of};
 use scenelang_layout::file as layout_file;
-use scenelang_solve::repair::told::{Told, rows};
+use scenelang_solve::repair::told::{AlternativesReport, rows};
 use scenelang_solve::repair::{
     Alternative, Damaged, How, RepairOptions, Repaired, Text, Unjudged, Which, edited, repair as look,
 };
@@ -94,7 +94,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     if let Some(chosen) = choice.filter(|_| !args.dry_run) {
         written = apply(args, door, &checked, &found.alternatives[chosen])?;
     }
-    let told = Told { checked: &checked, program, name: &name };
+    let told = AlternativesReport { checked: &checked, program, name: &name };
     let all_holds = found.failing.is_empty();
     match args.format {
         Plain::Json => {
@@ -107,7 +107,13 @@ fn repair(args: &Repair) -> Result<u8, String> {
 }
 
 /// The answer for people.
-fn for_people(told: &Told<'_>, found: &Repaired, choice: Option<usize>, args: &Repair, written: &[String]) -> String {
+fn for_people(
+    told: &AlternativesReport<'_>,
+    found: &Repaired,
+    choice: Option<usize>,
+    args: &Repair,
+    written: &[String],
+) -> String {
     let with = told.checked.report.judged_with.as_ref().map_or(String::new(), |with| with.in_words() + "\n");
     let Repaired { failing, contradiction, alternatives: all } = found;
     if failing.is_empty() {

@@ -10,7 +10,7 @@ use scenelang_engine::{check_layout_of, check_program};
 use scenelang_export::{Exporter, OutFile, Scene, SceneInput, all_exporters};
 use scenelang_lang::{Compiled, Program, compile_file};
 use scenelang_sample::{Coverage, Drawn, Sampler, Settings};
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage, too_large};
+use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage, too_large};
 use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use scenelang_verify::report::{self, Human, statement_id};
 use scenelang_verify::{Checked, exit_code};
@@ -223,7 +223,7 @@ impl Run<'_> {
             eprintln!("interrupted; nothing was written");
             return INTERRUPTED;
         }
-        let request = Request {
+        let request = LayoutRequest {
             name: self.name,
             path: &self.args.scene,
             files: &Door::of(&self.args.scene),

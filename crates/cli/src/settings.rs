@@ -1,7 +1,7 @@
 //! How files are judged: the settings of their workspace, and the options that take precedence over them.
 
 use crate::args::{Geometry, Judging, Opens};
-use scenelang_analysis::Found;
+use scenelang_analysis::FileSettings;
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, SourceMap};
 use scenelang_lang::sources::Loader;
@@ -16,8 +16,8 @@ pub struct Refused {
 }
 
 /// The settings for the file of a door.
-pub fn find(door: &Door, loader: &dyn Loader) -> Found {
-    Found::of(door, loader, |path| shown(path).display().to_string())
+pub fn find(door: &Door, loader: &dyn Loader) -> FileSettings {
+    FileSettings::of(door, loader, |path| shown(path).display().to_string())
 }
 
 /// How the file of a door is judged, and its settings as they are.

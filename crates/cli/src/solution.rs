@@ -3,7 +3,7 @@
 use crate::check::color;
 use scenelang_base::plain;
 use scenelang_solve::{End, Freedom};
-use scenelang_synth::{Found, Solved};
+use scenelang_synth::{JudgedLayout, Solved};
 use scenelang_verify::Checked;
 use scenelang_verify::report::{self, Human};
 use serde_json::{Value, json};
@@ -45,14 +45,14 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
 }
 
 /// How much the preferences weigh that hold, and all of them.
-fn weights(found: &Found) -> (f64, f64) {
+fn weights(found: &JudgedLayout) -> (f64, f64) {
     let rows = found.checked.report.constraints.iter();
     let preferences = rows.filter_map(|row| Some((row.weight?, row.satisfied == Some(true))));
     preferences.fold((0.0, 0.0), |(met, all), (weight, holds)| (if holds { met + weight } else { met }, all + weight))
 }
 
 /// The same in words, where not all of them hold.
-fn preferred(found: &Found) -> String {
+fn preferred(found: &JudgedLayout) -> String {
     let (met, all) = weights(found);
     if met >= all {
         return String::new();
@@ -61,7 +61,7 @@ fn preferred(found: &Found) -> String {
 }
 
 /// What is free, in words.
-fn still_free(found: &Found) -> String {
+fn still_free(found: &JudgedLayout) -> String {
     let free = &found.free;
     let named: Vec<String> = free.objects.iter().take(NAMED).map(ToString::to_string).collect();
     let more = match free.objects.len().saturating_sub(NAMED) {
@@ -74,7 +74,7 @@ fn still_free(found: &Found) -> String {
 }
 
 /// The statements in the way, in words.
-fn in_the_way(found: &Found) -> String {
+fn in_the_way(found: &JudgedLayout) -> String {
     let list: Vec<(String, &str)> = named(found).collect();
     let which = match list.len() {
         0 => return String::new(),
@@ -91,7 +91,7 @@ fn in_the_way(found: &Found) -> String {
 }
 
 /// The statements in the way: how reports call them, and what they say.
-pub fn named(found: &Found) -> impl Iterator<Item = (String, &str)> {
+pub fn named(found: &JudgedLayout) -> impl Iterator<Item = (String, &str)> {
     let Checked { sources, program, report, .. } = &found.checked;
     let constraints = program.iter().flat_map(|program| &program.constraints);
     let list = constraints.enumerate().filter(|(index, _)| found.outcome.in_the_way.contains(index));

@@ -2,12 +2,12 @@
 
 use crate::args::{Plain, Solve};
 use crate::check::color;
-use crate::model::{Asked, summary};
+use crate::model::{ModelSession, summary};
 use crate::progress::Progress;
 use crate::{FAILED, INTERRUPTED, furniture, interrupt, replace, settings, solution};
 use scenelang_base::door::Door;
 use scenelang_base::fs::{is_same, is_stream};
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage, numbered};
+use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage, numbered};
 use scenelang_verify::report::{self, Human};
 use scenelang_verify::{Checked, exit_code};
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ pub fn run(args: &Solve) -> u8 {
             Ok(furniture) => furniture,
             Err(message) => return fail(&message),
         };
-    let mut model = match Asked::new(&args.model, &settings.llm, args.seed) {
+    let mut model = match ModelSession::new(&args.model, &settings.llm, args.seed) {
         // Several layouts are looked for without one.
         Ok(model) => model.filter(|_| args.alternatives.is_none()),
         Err(error) => {
@@ -57,7 +57,7 @@ pub fn run(args: &Solve) -> u8 {
         }
     };
     let member = relative(&args.scene, &output);
-    let request = Request {
+    let request = LayoutRequest {
         name: &args.scene.display().to_string(),
         path: &args.scene,
         files: &Door::of(&args.scene),
@@ -83,7 +83,7 @@ pub fn run(args: &Solve) -> u8 {
         furniture: furniture.as_ref(),
     };
     let mut watch = Watch { progress: Progress::new("reading") };
-    let solved = scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut watch);
+    let solved = scenelang_synth::solve_with(&request, model.as_mut().map(ModelSession::adviser), &mut watch);
     drop(watch);
     let mut solved = match solved {
         Ok(solved) => solved,

@@ -3,8 +3,8 @@
 use crate::args::SummaryFormat;
 use crate::check::color;
 use crate::edited::Taken;
-use crate::model::{self, Asked};
-use crate::rebuild::Told;
+use crate::model::{self, ModelSession};
+use crate::rebuild::RebuildReport;
 use crate::solve::color_err;
 use crate::table::Table;
 use crate::{formats, out};
@@ -25,7 +25,7 @@ pub struct How<'a> {
     pub format: SummaryFormat,
     pub folder: &'a Path,
     /// What was made again, if that is asked for.
-    pub rebuilt: Option<&'a Told>,
+    pub rebuilt: Option<&'a RebuildReport>,
     /// How the request was read, if that was done in this run.
     pub read: Option<&'a Value>,
 }
@@ -37,7 +37,7 @@ pub struct Done<'a> {
     pub files: &'a [PathBuf],
     pub lost: &'a [Loss],
     pub seconds: &'a [(Stage, Duration)],
-    pub model: Option<&'a Asked>,
+    pub model: Option<&'a ModelSession>,
     pub taken: Option<&'a Taken>,
 }
 

@@ -1,8 +1,8 @@
 //! `scenelang synth`: the whole corridor, as far as something has changed, with a summary at the end.
 
-use crate::args::{Judging, Pipeline, Step, SummaryFormat, Synth};
+use crate::args::{Judging, Pipeline, StageName, SummaryFormat, Synth};
 use crate::edited::{self, Permission};
-use crate::model::Asked;
+use crate::model::ModelSession;
 use crate::progress::{Progress, solving};
 use crate::rebuild::Rebuild;
 use crate::replace::May;
@@ -14,7 +14,8 @@ use scenelang_export::{Exporter, Loss, losses, unity};
 use scenelang_lang::Compiled;
 use scenelang_synth::rebuild::{Inputs, Planned, sum};
 use scenelang_synth::{
-    Failure, Furnishings, Hold, Observer, PLANNED, Request, Solved, Stage, furniture_file, own_files, program_files,
+    Failure, Furnishings, Hold, LayoutRequest, Observer, PLANNED, Solved, Stage, furniture_file, own_files,
+    program_files,
 };
 use scenelang_verify::exit_code;
 use serde_json::json;
@@ -33,14 +34,15 @@ fn build(args: &Synth) -> Result<u8, u8> {
     interrupt::within(time.map(patience));
     let (path, asked) = asked_for(args).map_err(|why| fail(&why))?;
     let stem = path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
-    let exporters = if args.until < Step::Export { Vec::new() } else { chosen(args) };
+    let exporters = if args.until < StageName::Export { Vec::new() } else { chosen(args) };
     let permission = permitted(args, &path, asked.is_some(), &stem, &exporters).map_err(|why| fail(&why))?;
     let input = |refused: settings::Refused| explain(&Failure::Input(refused.sources, refused.diagnostics));
     let (judging, settings) = settings::all(&Judging::default(), &Door::of(&path)).map_err(input)?;
     let door = Door::of(&path);
     let furniture = furniture::chain(&args.furniture, &settings.assets, &door, args.model.offline);
     let furniture = furniture.map_err(|why| fail(&why))?;
-    let mut model = Asked::new(&args.model, &settings.llm, args.seed).map_err(|error| fail(&error.to_string()))?;
+    let mut model =
+        ModelSession::new(&args.model, &settings.llm, args.seed).map_err(|error| fail(&error.to_string()))?;
     let mut rebuild = Rebuild::of(&args.output, &stem, args.from);
     let Program { planned, reading: read } = match &asked {
         Some(asked) => program(args, &path, asked, model.as_mut(), &mut rebuild)?,
@@ -49,7 +51,7 @@ fn build(args: &Synth) -> Result<u8, u8> {
     let before = if permission.taken.is_none() { rebuild.before(args.seed) } else { None };
     let names = Names { path: path.display().to_string(), layout: format!("{stem}.layout.json") };
     let (start, quality, share) = begin(args, &permission, planned.as_deref(), &names.layout);
-    let request = Request {
+    let request = LayoutRequest {
         name: &names.path,
         path: &path,
         files: &door,
@@ -73,10 +75,11 @@ fn build(args: &Synth) -> Result<u8, u8> {
     };
     let mut stages = Stages { progress: Progress::new("reading"), begun: Instant::now(), seconds: Vec::new() };
     let asked = asked.map(|asked| reading(args, &asked, model.is_some()));
-    if args.until < Step::Layout {
+    if args.until < StageName::Layout {
         return early(args, &request, (&stem, asked, read.as_ref()), rebuild, stages);
     }
-    let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(Asked::adviser), &mut stages) {
+    let mut solved = match scenelang_synth::solve_with(&request, model.as_mut().map(ModelSession::adviser), &mut stages)
+    {
         Ok(solved) => solved,
         Err(failure) => {
             drop(stages);
@@ -175,11 +178,11 @@ fn program(
     args: &Synth,
     path: &Path,
     request: &str,
-    model: Option<&mut Asked>,
+    model: Option<&mut ModelSession>,
     rebuild: &mut Rebuild<'_>,
 ) -> Result<Program, u8> {
     // Without its layout it is read again, because that is planned with it.
-    let has_layout = args.until < Step::Layout || rebuild.before(args.seed).is_some();
+    let has_layout = args.until < StageName::Layout || rebuild.before(args.seed).is_some();
     if rebuild.has_program(&reading(args, request, model.is_some())) && has_layout {
         return Ok(Program::default());
     }
@@ -198,12 +201,12 @@ enum Early {
 /// Ends after the program, or after the furniture.
 fn early(
     args: &Synth,
-    request: &Request<'_>,
+    request: &LayoutRequest<'_>,
     (stem, asked, read): (&str, Option<Inputs>, Option<&serde_json::Value>),
     mut rebuild: Rebuild<'_>,
     mut stages: Stages,
 ) -> Result<u8, u8> {
-    let ended = if args.until == Step::Program {
+    let ended = if args.until == StageName::Program {
         scenelang_synth::compiled(request, &mut stages).map(Early::Program)
     } else {
         scenelang_synth::furnished(request, &mut stages).map(Early::Assets)
@@ -267,9 +270,9 @@ fn too_full(format: SummaryFormat, why: &str) -> u8 {
 }
 
 /// Writes the program of a request.
-fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut Asked>) -> Result<Begun, String> {
+fn write(args: &Synth, path: &Path, request: &str, model: Option<&mut ModelSession>) -> Result<Begun, String> {
     let understood = formalize::understand(
-        formalize::Request::Words(request.to_owned()),
+        formalize::RequestSource::Words(request.to_owned()),
         args.literal,
         true,
         args.time.map(|time| Duration::from_secs_f64(time / 3.0)),

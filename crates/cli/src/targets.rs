@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Something to judge.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
+pub enum JudgeTarget {
     /// A program or a layout.
     File(PathBuf),
     /// A GLB file, a USD file or a Unity project.
@@ -14,7 +14,7 @@ pub enum Target {
     Empty(PathBuf),
 }
 
-impl Target {
+impl JudgeTarget {
     /// What it is called in messages.
     pub fn path(&self) -> &Path {
         match self {
@@ -24,25 +24,25 @@ impl Target {
 }
 
 /// The targets in the order named; those of a folder in the order of their names.
-pub fn find(paths: &[PathBuf]) -> Vec<Target> {
+pub fn find(paths: &[PathBuf]) -> Vec<JudgeTarget> {
     paths.iter().flat_map(|path| of_one(path)).collect()
 }
 
-fn of_one(path: &Path) -> Vec<Target> {
+fn of_one(path: &Path) -> Vec<JudgeTarget> {
     if let Some(kind) = carrier(path) {
-        return vec![Target::Carrier(path.to_path_buf(), kind)];
+        return vec![JudgeTarget::Carrier(path.to_path_buf(), kind)];
     }
     if !path.is_dir() {
-        return vec![Target::File(path.to_path_buf())];
+        return vec![JudgeTarget::File(path.to_path_buf())];
     }
     let mut files = Vec::new();
     below(path, &mut files);
-    if files.is_empty() { vec![Target::Empty(path.to_path_buf())] } else { files }
+    if files.is_empty() { vec![JudgeTarget::Empty(path.to_path_buf())] } else { files }
 }
 
 /// Programs and layouts below a folder. What is hidden, made by build tools, or a Unity project is passed over; links to
 /// folders are not followed, since they may lead in circles.
-fn below(folder: &Path, files: &mut Vec<Target>) {
+fn below(folder: &Path, files: &mut Vec<JudgeTarget>) {
     let Ok(entries) = std::fs::read_dir(folder) else { return };
     let mut entries: Vec<_> = entries.flatten().collect();
     entries.sort_by_key(std::fs::DirEntry::file_name);
@@ -58,7 +58,7 @@ fn below(folder: &Path, files: &mut Vec<Target>) {
                 below(&path, files);
             }
         } else if name.ends_with(".scene") || name.ends_with(".layout.json") {
-            files.push(Target::File(path));
+            files.push(JudgeTarget::File(path));
         }
     }
 }
@@ -90,8 +90,8 @@ mod tests {
         let names: Vec<_> = found.iter().map(|t| t.path().strip_prefix(folder.path()).unwrap().to_owned()).collect();
         assert_eq!(names, ["a/deep/er/x.scene", "a/z.layout.json", "b.scene"].map(PathBuf::from));
         let empty = folder.path().join("empty");
-        assert_eq!(find(std::slice::from_ref(&empty)), [Target::Empty(empty)]);
+        assert_eq!(find(std::slice::from_ref(&empty)), [JudgeTarget::Empty(empty)]);
         let unity = folder.path().join("unity");
-        assert_eq!(find(std::slice::from_ref(&unity)), [Target::Carrier(unity, Carrier::Unity)]);
+        assert_eq!(find(std::slice::from_ref(&unity)), [JudgeTarget::Carrier(unity, Carrier::Unity)]);
     }
 }

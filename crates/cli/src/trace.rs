@@ -9,7 +9,7 @@ use scenelang_engine::check_layout_of;
 use scenelang_lang::sources::plain;
 use scenelang_lang::{Compiled, Options, compile_main};
 use scenelang_verify::report::diagnostics;
-use scenelang_verify::trace::{Kind, Requirement, Statement, Trace, Verdict, trace};
+use scenelang_verify::trace::{Requirement, Statement, StatementKind, Trace, Verdict, trace};
 use scenelang_verify::{Checked, exit_code};
 use std::collections::BTreeMap;
 
@@ -158,9 +158,9 @@ fn by_object(trace: &Trace) -> String {
 /// A statement on a line: verdict, place, text, objects.
 fn line(statement: &Statement, judged: bool) -> String {
     let verdict = match (statement.kind, statement.satisfied) {
-        (Kind::Allow | Kind::Property, _) => "is said",
+        (StatementKind::Allow | StatementKind::Property, _) => "is said",
         (_, Some(true)) => "holds",
-        (Kind::Prefer, Some(false)) => "is not met",
+        (StatementKind::Prefer, Some(false)) => "is not met",
         (_, Some(false)) => "FAILS",
         (_, None) if judged => "cannot be checked",
         (_, None) => "is stated",

@@ -21,7 +21,7 @@ const PYTHON: &str = "SCENELANG_PYTHON";
 const MISSING: i32 = 3;
 
 /// What came of it.
-pub struct Trial {
+pub struct TrialOutcome {
     /// What the script printed.
     said: Value,
 }
@@ -30,7 +30,7 @@ pub struct Trial {
 ///
 /// # Errors
 /// There is no engine, or it does not load the file.
-pub fn run(model: &Path) -> Result<Trial, String> {
+pub fn run(model: &Path) -> Result<TrialOutcome, String> {
     let python = std::env::var_os(PYTHON).unwrap_or_else(|| OsString::from("python3"));
     let shown = python.to_string_lossy().into_owned();
     let command =
@@ -44,14 +44,14 @@ pub fn run(model: &Path) -> Result<Trial, String> {
     let last = error.trim().lines().last().unwrap_or("it said nothing").to_owned();
     match ended.status.code() {
         Some(0) => serde_json::from_slice(&ended.stdout)
-            .map(|said| Trial { said })
+            .map(|said| TrialOutcome { said })
             .map_err(|e| format!("{shown} did not answer as expected: {e}")),
         Some(MISSING) => Err(format!("{last}; {}", command())),
         _ => Err(format!("MuJoCo cannot load {}: {last}", model.display())),
     }
 }
 
-impl Trial {
+impl TrialOutcome {
     /// Whether nothing overlapped and everything stayed.
     pub fn holds(&self) -> bool {
         self.overlaps().next().is_none() && self.drifts().next().is_none()
@@ -119,7 +119,7 @@ mod tests {
     fn what_overlaps_and_what_moves_is_told() {
         let rest = json!({ "engine": "MuJoCo 4", "overlaps": [{ "bodies": ["a", "b"], "depth": 0.0001 }],
             "moves": [{ "body": "a", "distance": 0.0004 }] });
-        let rest = Trial { said: rest };
+        let rest = TrialOutcome { said: rest };
         assert!(rest.holds());
         assert_eq!(
             rest.human(),
@@ -127,7 +127,7 @@ mod tests {
         );
         let moved = json!({ "engine": "MuJoCo 4", "overlaps": [{ "bodies": ["a", "b"], "depth": 0.01 }],
             "moves": [{ "body": "a", "distance": 0.4 }, { "body": "b", "distance": 0.001 }] });
-        let moved = Trial { said: moved };
+        let moved = TrialOutcome { said: moved };
         assert!(!moved.holds());
         assert_eq!(moved.human(), "MuJoCo 4, 2 s:\n  a and b overlap by 10.0 mm\n  a moves by 400.0 mm\n");
         assert_eq!(moved.json()["ok"], false);

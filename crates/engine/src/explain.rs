@@ -11,20 +11,20 @@ use scenelang_base::codes;
 use scenelang_lang::program::Program;
 use scenelang_layout::{Layout, Places};
 use scenelang_verify::check::{Judged, judged};
-use scenelang_verify::explain::{Place, RowRef, SmallestMove};
-use scenelang_verify::report::model::Kind;
-use scenelang_verify::{Explain, Options, Verdict, World};
+use scenelang_verify::explain::{ObjectPlace, RowRef, SmallestMove};
+use scenelang_verify::report::model::RowKind;
+use scenelang_verify::{CheckVerdict, Explain, Options, World};
 
 /// What judging dear rows may cost in all, in small comparisons, where not all must be explained however long that takes.
 const PURSE: usize = 240_000;
 
 /// What [`scenelang_verify::check`] says, with the moves that repair what fails, as far as the options ask for them.
-pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
+pub fn check(program: &Program, layout: &Layout, options: &Options) -> CheckVerdict {
     check_at(program, layout, None, options)
 }
 
 /// The same; `places` says where the values of the layout stand.
-pub(crate) fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> Verdict {
+pub(crate) fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> CheckVerdict {
     let (mut verdict, world) = judged(program, layout, places, options);
     // Whoever could not be judged among so many cannot be moved among them either.
     let explain = if too_dense(&verdict) { Explain::First(0) } else { options.detail.explain };
@@ -33,11 +33,11 @@ pub(crate) fn check_at(program: &Program, layout: &Layout, places: Option<&Place
 }
 
 /// Completes the explanations of the first rows that fail.
-fn complete(program: &Program, world: World<f64>, verdict: &mut Verdict, how_many: Explain) {
+fn complete(program: &Program, world: World<f64>, verdict: &mut CheckVerdict, how_many: Explain) {
     let failing = failing(verdict);
     let fails = |row: &&mut Judged| row.satisfied == Some(false);
     let (hard, soft): (Vec<_>, Vec<_>) =
-        verdict.rows.iter_mut().filter(fails).partition(|row| row.kind != Kind::Prefer);
+        verdict.rows.iter_mut().filter(fails).partition(|row| row.kind != RowKind::Prefer);
     // What a guideline asks for is plain, and a room may fail many of them: moves are looked for on request only.
     let soft = soft.into_iter().filter(|row| how_many == Explain::All || row.guideline.is_none());
     let (most, purse) = match how_many {
@@ -52,7 +52,7 @@ fn complete(program: &Program, world: World<f64>, verdict: &mut Verdict, how_man
     for row in rows {
         let explanation = row.explanation.get_or_insert_default();
         let objects = row.objects.iter();
-        explanation.objects = objects.filter_map(|id| Place::of(program, finder.layout(), *id)).collect();
+        explanation.objects = objects.filter_map(|id| ObjectPlace::of(program, finder.layout(), *id)).collect();
         if finder.is_spent() {
             continue;
         }
@@ -72,7 +72,7 @@ pub fn moves_for(
     program: &Program,
     layout: &Layout,
     options: &Options,
-    verdict: &Verdict,
+    verdict: &CheckVerdict,
     rows: &[RowRef],
 ) -> Vec<SmallestMove> {
     if too_dense(verdict) {
@@ -83,12 +83,12 @@ pub fn moves_for(
 }
 
 /// Whether so much is in one place that not all of it was judged.
-fn too_dense(verdict: &Verdict) -> bool {
+fn too_dense(verdict: &CheckVerdict) -> bool {
     verdict.diagnostics.iter().any(|d| d.code == codes::E0005)
 }
 
 /// What must hold and does not.
-fn failing(verdict: &Verdict) -> Vec<RowRef> {
-    let fails = verdict.rows.iter().filter(|row| row.satisfied == Some(false) && row.kind != Kind::Prefer);
+fn failing(verdict: &CheckVerdict) -> Vec<RowRef> {
+    let fails = verdict.rows.iter().filter(|row| row.satisfied == Some(false) && row.kind != RowKind::Prefer);
     fails.map(Judged::row).collect()
 }

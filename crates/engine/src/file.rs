@@ -10,7 +10,7 @@ use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_verify::check::matching;
 use scenelang_verify::prove::{Findings, ProveOptions, prove};
 use scenelang_verify::report::build;
-use scenelang_verify::{Checked, Options, Verdict};
+use scenelang_verify::{CheckVerdict, Checked, Options};
 use std::path::{Path, PathBuf};
 
 /// How to judge a file: what it is called, where it is, and where its program comes from.
@@ -71,7 +71,7 @@ pub fn check_program(name: &str, compiled: Compiled, findings: &Findings, option
         scenelang_lang::lint::allow::silence(&sources, &mut proved);
         diagnostics.extend(proved);
     }
-    let verdict = Verdict { diagnostics, ..Verdict::default() };
+    let verdict = CheckVerdict { diagnostics, ..CheckVerdict::default() };
     Unfinished { sources, program, layout: None, verdict }.finish(name, options)
 }
 
@@ -118,7 +118,7 @@ struct Unfinished {
     sources: SourceMap,
     program: Option<Program>,
     layout: Option<Layout>,
-    verdict: Verdict,
+    verdict: CheckVerdict,
 }
 
 impl Unfinished {
@@ -160,7 +160,7 @@ impl Unfinished {
 
 /// Judges a layout as it was read, by a program that is compiled already. Among the diagnostics is what does not match
 /// between the two; what is wrong with the layout file by itself is not.
-pub fn check_read(program: &Program, read: &ReadLayout, options: &Options) -> Verdict {
+pub fn check_read(program: &Program, read: &ReadLayout, options: &Options) -> CheckVerdict {
     let mut found = matching::check(program, read);
     let mut verdict = check_at(program, &read.layout, Some(&read.places), options);
     found.append(&mut verdict.diagnostics);

@@ -9,7 +9,7 @@ use scenelang_verify::check::{GAPS_FOLLOWED, Judged, LISTED, Ruled, Rules, draws
 use scenelang_verify::opening::LOOKS;
 use scenelang_verify::report::model::Summary;
 use scenelang_verify::rules::{Columns, Support, open, pairs_up_to, support};
-use scenelang_verify::{EvalError, Options, Scratch, Verdict, World};
+use scenelang_verify::{CheckVerdict, EvalError, Options, Scratch, World};
 use std::collections::BTreeMap;
 
 /// The judgement of a layout whose objects can be moved. It says at any time what [`check`](scenelang_verify::check())
@@ -264,18 +264,18 @@ impl<'a> Live<'a> {
     }
 
     /// The whole verdict, as a copy.
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> CheckVerdict {
         let mut diagnostics = self.draws.clone();
         diagnostics.extend(stated::diagnostics(self.program, self.errors.iter().map(|(i, e)| (*i, *e))));
         diagnostics.extend(self.dense.clone());
         diagnostics.extend(self.rooms.iter().cloned());
         let parts = if self.rules.is_some() { parts(self.state.world()) } else { Vec::new() };
-        Verdict {
+        CheckVerdict {
             rows: self.rows().cloned().collect(),
             summary: self.summary,
             diagnostics,
             parts,
-            ..Verdict::default()
+            ..CheckVerdict::default()
         }
     }
 }

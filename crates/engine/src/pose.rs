@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 pub use scenelang_layout::digits::round_to;
 use scenelang_layout::{Aabb, Obb, Vec3, rotation};
-use scenelang_verify::{Number, Thing, vector::V3};
+use scenelang_verify::{Number, ObjectInstance, vector::V3};
 
 /// Position, Euler triple and extents of an object or a region (metres, degrees).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Pose {
 
 impl Pose {
     /// That of an object in an instance.
-    pub fn of<N: Number>(thing: &Thing<N>) -> Self {
+    pub fn of<N: Number>(thing: &ObjectInstance<N>) -> Self {
         Self { pos: thing.pos.value(), rot: thing.rot.value(), scale: thing.scale.value() }
     }
     /// As numbers that depend on nothing.

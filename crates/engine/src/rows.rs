@@ -3,7 +3,7 @@
 use scenelang_lang::program::{ConstraintKind, NodeId, Program};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::RowRef;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::rules::{Scope, Support, bounds, collide, mounts, open, support};
 use scenelang_verify::{Number, Scratch, Truth, Value, World, judge};
 
@@ -18,9 +18,9 @@ pub(crate) enum Goal {
 /// The row of a statement.
 pub(crate) fn row_of(program: &Program, constraint: usize) -> RowRef {
     let kind = match program.constraints[constraint].kind {
-        ConstraintKind::Assert => Kind::Assert,
-        ConstraintKind::Prefer { .. } => Kind::Prefer,
-        ConstraintKind::Pin => Kind::Pin,
+        ConstraintKind::Assert => RowKind::Assert,
+        ConstraintKind::Prefer { .. } => RowKind::Prefer,
+        ConstraintKind::Pin => RowKind::Pin,
     };
     RowRef { kind, subject: Subject::Statement(constraint) }
 }
@@ -41,7 +41,7 @@ pub(crate) fn truth<N: Number>(
         }
         Goal::Row(RowRef { subject: Subject::Pair(a, b), .. }) => return collide::pair(world, a, b).ok(),
         Goal::Row(RowRef { subject: Subject::Part(id, part), .. }) => return open::part(world, id, part).ok(),
-        Goal::Row(RowRef { kind: Kind::Bounds, subject: Subject::Object(id) }) => {
+        Goal::Row(RowRef { kind: RowKind::Bounds, subject: Subject::Object(id) }) => {
             let truth = bounds::object(world, id).ok()?;
             return (truth.holds || world.missing_region().is_none()).then_some(truth);
         }

@@ -11,12 +11,12 @@ pub struct Expectation {
     #[serde(default)]
     pub building: String,
     /// Its rooms.
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<ExpectedRoom>,
     /// Doors and windows.
     #[serde(default)]
     pub connections: Vec<Connection>,
     /// Its objects.
-    pub objects: Vec<Thing>,
+    pub objects: Vec<ExpectedThing>,
     /// What is asked of their places.
     pub relations: Vec<Relation>,
     /// Measures that are stated.
@@ -25,7 +25,7 @@ pub struct Expectation {
 
 /// A room.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Room {
+pub struct ExpectedRoom {
     /// Its name.
     pub name: String,
     /// What it is, in words.
@@ -47,7 +47,7 @@ pub struct Connection {
 
 /// An object, or several that are alike.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Thing {
+pub struct ExpectedThing {
     /// Its name.
     pub name: String,
     /// How many. 0: there must be none. `None`: the request does not say.
@@ -66,7 +66,7 @@ pub struct Thing {
     pub features: Option<String>,
 }
 
-impl Thing {
+impl ExpectedThing {
     /// Whether the request forbids it.
     pub fn forbidden(&self) -> bool {
         self.count == Some(0)
@@ -77,11 +77,11 @@ impl Thing {
 #[derive(Clone, Debug, Deserialize)]
 pub struct Relation {
     /// Of which things.
-    pub subject: Names,
+    pub subject: OneOrSeveral,
     /// A predicate of the library, or another word; `not_` before it denies it.
     pub relation: String,
     /// With respect to what.
-    pub object: Names,
+    pub object: OneOrSeveral,
 }
 
 /// A measure.
@@ -119,14 +119,14 @@ fn metres() -> String {
 /// One name or several.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
-pub enum Names {
+pub enum OneOrSeveral {
     /// One.
     One(String),
     /// Several.
     Several(Vec<String>),
 }
 
-impl Names {
+impl OneOrSeveral {
     /// The names.
     pub fn all(&self) -> &[String] {
         match self {

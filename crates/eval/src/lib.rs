@@ -23,6 +23,6 @@ mod told;
 mod words;
 mod wrong;
 
-pub use expect::{Connection, Expectation, Names, Number, Relation, Room, Thing};
-pub use requests::{Case, Reader, Reading, Request, Requests, read_folder};
+pub use expect::{Connection, Expectation, ExpectedRoom, ExpectedThing, Number, OneOrSeveral, Relation};
+pub use requests::{Case, EvalRequest, Reader, Reading, Requests, read_folder};
 pub use score::{Score, Share, score};

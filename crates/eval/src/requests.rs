@@ -13,7 +13,7 @@ const FORMAT: &str = "scenelang.requests/1";
 
 /// A request to be read.
 #[derive(Clone, Copy, Debug)]
-pub struct Request<'a> {
+pub struct EvalRequest<'a> {
     /// Its file, without `.txt`.
     pub name: &'a str,
     /// What is asked for.
@@ -21,7 +21,7 @@ pub struct Request<'a> {
 }
 
 /// Makes a program of a request, or says why it cannot.
-pub type Reader<'a> = dyn Fn(Request<'_>) -> Result<Reading, String> + 'a;
+pub type Reader<'a> = dyn Fn(EvalRequest<'_>) -> Result<Reading, String> + 'a;
 
 /// What a reader makes of a request.
 #[derive(Clone, Debug, Default)]
@@ -57,7 +57,7 @@ pub struct Case {
 
 impl Case {
     /// Reads a request and scores what came of it.
-    pub fn of(request: Request<'_>, expect: &Expectation, reader: &Reader<'_>) -> Result<Self, String> {
+    pub fn of(request: EvalRequest<'_>, expect: &Expectation, reader: &Reader<'_>) -> Result<Self, String> {
         let reading = reader(request)?;
         let (score, program) = score(expect, &reading.program);
         let options = ProveOptions { redundant: false, ..ProveOptions::default() };
@@ -118,7 +118,7 @@ pub fn read_folder(
         let expect = text(&truth)?;
         let expect: Expectation = serde_json::from_str(&expect).map_err(|e| say(&truth, &e))?;
         let name = path.file_stem().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        requests.cases.push(Case::of(Request { name: &name, text: &request }, &expect, reader)?);
+        requests.cases.push(Case::of(EvalRequest { name: &name, text: &request }, &expect, reader)?);
     }
     Ok(requests)
 }
@@ -230,7 +230,7 @@ mod tests {
     fn means_and_the_worst() {
         let folder = folder(&["b-broken", "a-good", "c-half", "d-impossible"]);
         std::fs::write(folder.path().join("notes.txt"), "no request: it has no ground truth").unwrap();
-        let reader = |request: Request<'_>| {
+        let reader = |request: EvalRequest<'_>| {
             let program = match request.text {
                 "a-good" => "object chair[2]; object table;",
                 "b-broken" => "object chair[2]; object",
@@ -268,10 +268,10 @@ mod tests {
     #[test]
     fn what_cannot_be_read() {
         let folder = folder(&["a"]);
-        let refuse = |request: Request<'_>| Err(format!("no program for {}", request.name));
+        let refuse = |request: EvalRequest<'_>| Err(format!("no program for {}", request.name));
         assert_eq!(read_folder(folder.path(), &refuse, |_, _| ()).unwrap_err(), "no program for a");
         std::fs::write(folder.path().join("a.expect.json"), "{").unwrap();
-        let empty = |_: Request<'_>| Ok(Reading::default());
+        let empty = |_: EvalRequest<'_>| Ok(Reading::default());
         assert!(read_folder(folder.path(), &empty, |_, _| ()).unwrap_err().contains("a.expect.json"));
         assert!(read_folder(&folder.path().join("none"), &empty, |_, _| ()).is_err());
     }

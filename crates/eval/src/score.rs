@@ -20,9 +20,9 @@
 //!
 //! What a program that does not compile says is nothing: every share of it is 0.
 
-use crate::expect::{Expectation, Thing};
+use crate::expect::{Expectation, ExpectedThing};
 use crate::pairing::pair;
-use crate::told::{Named, Statement, Told};
+use crate::told::{Named, ProgramOutline, Statement};
 use crate::words::{Called, carried};
 use crate::wrong::Truth;
 use scenelang_lang::program::Program;
@@ -120,7 +120,8 @@ impl Score {
 /// Compiles a program and scores it. The program comes back where it compiles.
 pub fn score(expect: &Expectation, text: &str) -> (Score, Option<Program>) {
     let compiled = compile_text("request.scene", Path::new("request.scene"), text, Options::default());
-    let told = compiled.program.as_ref().map_or_else(Told::default, |p| Told::new(p, compiled.main, text));
+    let told =
+        compiled.program.as_ref().map_or_else(ProgramOutline::default, |p| ProgramOutline::new(p, compiled.main, text));
     (Scorer::new(expect, &told).score(), compiled.program)
 }
 
@@ -133,7 +134,7 @@ enum Referent {
 
 struct Scorer<'a> {
     expect: &'a Expectation,
-    told: &'a Told,
+    told: &'a ProgramOutline,
     /// Of each room of the ground truth, the region.
     rooms: Vec<Option<usize>>,
     /// Of each object of the ground truth, the thing of the program; forbidden ones have none.
@@ -144,9 +145,9 @@ struct Scorer<'a> {
 const SAME: i64 = 1000;
 
 impl<'a> Scorer<'a> {
-    fn new(expect: &'a Expectation, told: &'a Told) -> Self {
+    fn new(expect: &'a Expectation, told: &'a ProgramOutline) -> Self {
         let rooms = rooms(expect, told);
-        let weight = |thing: &Thing, named: &Named| {
+        let weight = |thing: &ExpectedThing, named: &Named| {
             let called = Called::by([thing.name.as_str()]);
             if thing.forbidden() || !called.overlaps(&named.called) {
                 return 0;
@@ -228,7 +229,7 @@ impl<'a> Scorer<'a> {
 
     /// Whether a thing of the program that nothing else accounts for is called like a forbidden one. In a program that
     /// says nothing it is not known to be absent.
-    fn forbidden_is_there(&self, thing: &Thing) -> bool {
+    fn forbidden_is_there(&self, thing: &ExpectedThing) -> bool {
         let called = Called::by([thing.name.as_str()]);
         let unasked = |n: &usize| !self.things.contains(&Some(*n));
         self.told.things.is_empty()
@@ -254,8 +255,8 @@ impl<'a> Scorer<'a> {
 }
 
 /// The region of each room.
-fn rooms(expect: &Expectation, told: &Told) -> Vec<Option<usize>> {
-    let called = |room: &crate::Room| Called::by([room.name.as_str()].into_iter().chain(room.kind.as_deref()));
+fn rooms(expect: &Expectation, told: &ProgramOutline) -> Vec<Option<usize>> {
+    let called = |room: &crate::ExpectedRoom| Called::by([room.name.as_str()].into_iter().chain(room.kind.as_deref()));
     let weight = |room: &Called, region: &Called| {
         if room.overlaps(region) { SAME + room.likeness(region) } else { 0 }
     };
@@ -271,7 +272,7 @@ fn rooms(expect: &Expectation, told: &Told) -> Vec<Option<usize>> {
 }
 
 /// The stated colour and material of a thing.
-fn said(thing: &Thing) -> impl Iterator<Item = &str> {
+fn said(thing: &ExpectedThing) -> impl Iterator<Item = &str> {
     [&thing.colour, &thing.material].into_iter().filter(|_| !thing.forbidden()).filter_map(|t| t.as_deref())
 }
 

@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A program, as far as scores go.
 #[derive(Debug, Default)]
-pub struct Told {
+pub struct ProgramOutline {
     /// Its objects by name: an array is one, and so is a series `chair1`, `chair2`, ….
     pub things: Vec<Named>,
     /// Its regions.
@@ -35,7 +35,7 @@ pub struct Named {
     pub count: usize,
     /// Name, category, colours, materials and features.
     pub texts: Vec<String>,
-    /// The regions that some statement mentions together with it: indices into [`Told::regions`].
+    /// The regions that some statement mentions together with it: indices into [`ProgramOutline::regions`].
     pub regions: BTreeSet<usize>,
 }
 
@@ -69,7 +69,7 @@ pub struct Said {
     pub of: Vec<Argument>,
 }
 
-/// What a predicate is said of: indices into [`Told::things`] and [`Told::regions`].
+/// What a predicate is said of: indices into [`ProgramOutline::things`] and [`ProgramOutline::regions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Argument {
     /// Objects of one name.
@@ -91,7 +91,7 @@ pub struct Written {
     pub arguments: Vec<(String, bool, Vec<String>)>,
 }
 
-impl Told {
+impl ProgramOutline {
     /// What a compiled program says; `text` is its main file.
     pub fn new(program: &Program, main: FileId, text: &str) -> Self {
         let (groups, mut things) = group(&program.objects);
@@ -354,10 +354,10 @@ mod tests {
     use scenelang_lang::{Options, compile_text};
     use std::path::Path;
 
-    fn told(text: &str) -> Told {
+    fn told(text: &str) -> ProgramOutline {
         let compiled = compile_text("a.scene", Path::new("a.scene"), text, Options::default());
         let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
-        Told::new(&program, compiled.main, text)
+        ProgramOutline::new(&program, compiled.main, text)
     }
 
     #[test]

@@ -13,12 +13,12 @@
 
 use crate::expect::Expectation;
 use crate::score::Share;
-use crate::told::{Argument, Said, Statement, Told};
+use crate::told::{Argument, ProgramOutline, Said, Statement};
 
 /// The ground truth beside a program, with what is what.
 pub struct Truth<'a> {
     pub expect: &'a Expectation,
-    pub told: &'a Told,
+    pub told: &'a ProgramOutline,
     /// Of each room of the ground truth, the region.
     pub rooms: &'a [Option<usize>],
     /// Of each object of the ground truth, the thing of the program.

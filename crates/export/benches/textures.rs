@@ -1,7 +1,7 @@
 //! What a scene of 50 objects costs: making their furniture, its textures and one GLB file, on one core.
 //! `cargo bench -p scenelang-export`. The first scene of a process makes the textures; the others find them made.
 
-use scenelang_assets::{Request, solid};
+use scenelang_assets::{AssetRequest, solid};
 use scenelang_base::FileId;
 use scenelang_export::{Scene, SceneInput, glb};
 use scenelang_lang::{Options, compile_text};
@@ -56,7 +56,7 @@ fn made(office: &Office) -> (usize, [Duration; 3]) {
     for (object, (_, place)) in program.objects.iter().zip(&mut layout.objects) {
         let size: Option<Vec3> = Some(place.scale);
         let (name, category) = (object.name.as_str(), object.category.as_str());
-        place.parts = solid(&Request { name, category, size, ..Request::default() }).parts;
+        place.parts = solid(&AssetRequest { name, category, size, ..AssetRequest::default() }).parts;
     }
     let furnished = since.elapsed();
     let scene = Scene::build(&SceneInput {

@@ -5,7 +5,7 @@
 mod physics;
 
 use crate::geometry::frame::{mirrored, mirrored_quaternion};
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::geometry::tangent::tangents;
 use crate::physics::{Apart, Physics, drawn_apart};
 use crate::scene::{Role, Shell, view};
@@ -89,7 +89,7 @@ struct Writer<'a> {
     /// For each material of the document the scene's surface.
     used: Vec<usize>,
     /// Meshes written so far: equal ones are written once.
-    written: Vec<&'a [Group]>,
+    written: Vec<&'a [MeshGroup]>,
     /// Positions, normals, places on materials, tangents, short indices, long indices.
     views: [Vec<u8>; KINDS.len()],
     /// The kinds of textures of the document.
@@ -213,7 +213,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Gives a node its mesh; nothing where there are no triangles (a wall that is all door).
-    fn mesh(&mut self, node: &mut Value, name: &str, groups: &'a [Group], scene: &Scene) {
+    fn mesh(&mut self, node: &mut Value, name: &str, groups: &'a [MeshGroup], scene: &Scene) {
         if groups.iter().all(|g| g.indices.is_empty()) {
             return;
         }
@@ -228,7 +228,7 @@ impl<'a> Writer<'a> {
         node["mesh"] = json!(index);
     }
 
-    fn primitive(&mut self, group: &Group, scene: &Scene) -> Value {
+    fn primitive(&mut self, group: &MeshGroup, scene: &Scene) -> Value {
         let position = self.positions(group);
         let normal = self.accessor(1, FLOAT, "VEC3", group.normals.len());
         floats(&mut self.views[1], group.normals.iter().copied().map(mirror));
@@ -245,7 +245,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The accessor of the corners of a group.
-    fn positions(&mut self, group: &Group) -> usize {
+    fn positions(&mut self, group: &MeshGroup) -> usize {
         let bounds = group
             .positions
             .iter()
@@ -262,7 +262,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The accessor of the triangles of a group.
-    fn indices(&mut self, group: &Group) -> usize {
+    fn indices(&mut self, group: &MeshGroup) -> usize {
         // 65535 restarts a strip, so that many vertices already need long indices.
         let short = group.positions.len() < 0xffff;
         let (view, component) = if short { (4, UNSIGNED_SHORT) } else { (5, UNSIGNED_INT) };
@@ -279,7 +279,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Where on its texture each vertex is, and which way the texture runs there: the numbers of two accessors.
-    fn places(&mut self, group: &Group, texture: Texture) -> [usize; 2] {
+    fn places(&mut self, group: &MeshGroup, texture: Texture) -> [usize; 2] {
         let place = self.accessor(2, FLOAT, "VEC2", group.uvs.len());
         // In tiles, and downwards.
         let [width, height] = texture.pixels().tile.map(|metres| metres as f32);

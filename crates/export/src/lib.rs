@@ -32,7 +32,7 @@ mod xml;
 pub use embedded::Embedded;
 pub use exporter::{ExportError, Exporter, OutFile, all_exporters, exporters, write_all};
 pub use geometry::frame::Frame;
-pub use geometry::mesh::Group;
+pub use geometry::mesh::MeshGroup;
 pub use loss::{Loss, Lost, losses};
 pub use parts::{Parts, Shows, parts};
 pub use scene::{BuildError, Scene, SceneInput};

@@ -4,7 +4,7 @@
 //! name; positions are in the world.
 
 use crate::geometry::frame::Frame;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::glb::linear;
 use crate::loss::Lost;
 use crate::names::Stems;
@@ -150,7 +150,7 @@ impl<'a> Mesh<'a> {
     }
 
     /// Triangles in a frame that is turned and moved.
-    pub fn groups(&mut self, groups: &[Group], axes: &Matrix3<f64>, pos: &Vec3) {
+    pub fn groups(&mut self, groups: &[MeshGroup], axes: &Matrix3<f64>, pos: &Vec3) {
         let turned = |v: &[f32; 3]| axes * Vec3::from(v.map(f64::from));
         for group in groups.iter().filter(|g| !g.indices.is_empty()) {
             self.vectors("v", group.positions.iter().map(|p| turned(p) + pos));

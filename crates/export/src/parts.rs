@@ -2,7 +2,7 @@
 //! not, because of what.
 
 use crate::Scene;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::scene::Object;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -87,7 +87,7 @@ impl Sum {
         let _ = writeln!(self, "{value:?}");
     }
 
-    fn group(&mut self, scene: &Scene, group: &Group) {
+    fn group(&mut self, scene: &Scene, group: &MeshGroup) {
         self.add(&scene.surfaces[group.surface]);
         for [x, y, z] in group.positions.iter().chain(&group.normals) {
             [x, y, z].into_iter().for_each(|v| self.0.update(v.to_le_bytes()));

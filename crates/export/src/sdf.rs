@@ -4,7 +4,7 @@
 //! Names are plain identifiers, since topics are made of them; `scenelang:id` has the name of the program.
 
 use crate::geometry::frame::Frame;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::loss::Lost;
 use crate::names::{Identifiers, Stems};
 use crate::numbers::{coarse, number, spaced};
@@ -145,7 +145,7 @@ fn link(
     name: &str,
     file: &str,
     inertia: Option<&Inertia>,
-    (geoms, drawn): (&[Geom], &[Group]),
+    (geoms, drawn): (&[Geom], &[MeshGroup]),
     meshes: &mut Meshes,
 ) {
     xml.begin("link", &[("name", name)]);
@@ -226,7 +226,7 @@ fn geometry(xml: &mut Xml, geom: &Geom, name: &str, meshes: &mut Meshes) {
             xml.end();
         }
         Shape::Hull(hull) => {
-            let mut group = Group::new(geom.surface);
+            let mut group = MeshGroup::new(geom.surface);
             group.solid(hull);
             let file = meshes.file(name, &[group]);
             mesh(xml, &file);
@@ -259,7 +259,7 @@ struct Meshes {
     stems: Stems,
     files: Vec<OutFile>,
     /// What was written, and its file's name.
-    written: Vec<(Vec<Group>, String)>,
+    written: Vec<(Vec<MeshGroup>, String)>,
 }
 
 impl Meshes {
@@ -269,7 +269,7 @@ impl Meshes {
     }
 
     /// The file of some groups, named so if it is new.
-    fn file(&mut self, name: &str, groups: &[Group]) -> String {
+    fn file(&mut self, name: &str, groups: &[MeshGroup]) -> String {
         if let Some((_, file)) = self.written.iter().find(|(known, _)| known == groups) {
             return file.clone();
         }

@@ -5,7 +5,7 @@
 //! the object, wherever that stands; a link that moves has its origin on its joint, as URDF demands. Angles are radians.
 
 use crate::geometry::frame::Frame;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::loss::Lost;
 use crate::names::{Identifiers, Stems};
 use crate::numbers::{number, spaced};
@@ -89,7 +89,7 @@ impl Exporter for Urdf {
 /// What a link is made of, in the frame of the object, and where its own origin is.
 struct Piece<'a> {
     geoms: &'a [Geom],
-    drawn: &'a [Group],
+    drawn: &'a [MeshGroup],
     inertia: Option<&'a Inertia>,
     origin: Vec3,
 }
@@ -139,7 +139,7 @@ fn link(xml: &mut Xml, name: &str, piece: &Piece<'_>, meshes: &mut Meshes) {
                 xml.end();
             }
             Shape::Hull(hull) => {
-                let mut group = Group::new(geom.surface);
+                let mut group = MeshGroup::new(geom.surface);
                 group.solid(hull);
                 let file = meshes.file(&called, &[group], &-piece.origin);
                 mesh(xml, &file);
@@ -196,7 +196,7 @@ struct Meshes {
 }
 
 impl Meshes {
-    fn file(&mut self, name: &str, groups: &[Group], moved: &Vec3) -> String {
+    fn file(&mut self, name: &str, groups: &[MeshGroup], moved: &Vec3) -> String {
         let file = format!("{}.obj", self.stems.take(name));
         let mut mesh = Mesh::new(FRAME, &self.materials, LIBRARY);
         mesh.groups(groups, &Matrix3::identity(), moved);

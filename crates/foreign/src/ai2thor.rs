@@ -6,7 +6,7 @@
 //! Holodeck leaves in its things, in centimetres: those of things on the floor are 10 cm wider than the things.
 
 use crate::cursor::{At, Found};
-use crate::house::{Holds, House, HouseRoom, Open, Opening, Thing, standing, usual, usually};
+use crate::house::{Holds, House, HouseObject, HouseRoom, Open, Opening, standing, usual, usually};
 use crate::names::category;
 use crate::sizes::Sizes;
 use nalgebra::{Matrix3, Rotation3, Unit};
@@ -247,7 +247,7 @@ impl Things<'_> {
         let holds = if parent.is_some() { Holds::Stands } else { holds };
         let own = self.house.things.len();
         self.ids.entry(id.clone()).or_insert(own);
-        self.house.things.push(Thing { id, category, asset, center, axes, size, is_usual, room, parent, holds });
+        self.house.things.push(HouseObject { id, category, asset, center, axes, size, is_usual, room, parent, holds });
         for child in at.list("children")? {
             self.thing(&child, Some(own))?;
         }

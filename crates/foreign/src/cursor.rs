@@ -2,7 +2,7 @@
 
 use scenelang_base::{Code, Diagnostic, FileId, TextRange, codes};
 use scenelang_layout::Vec3;
-use scenelang_layout::file::json::{Json, Node, find};
+use scenelang_layout::file::json::{Json, JsonNode, find};
 use scenelang_layout::polygon::{NotSimple, Polygon};
 
 /// Coordinates and sizes of others are no larger (metres): what is beyond is no room.
@@ -18,13 +18,13 @@ pub(crate) type Found<T> = Result<T, Box<Diagnostic>>;
 /// A value, and how one gets there.
 #[derive(Clone, Debug)]
 pub(crate) struct At<'a> {
-    pub node: &'a Node,
+    pub node: &'a JsonNode,
     file: FileId,
     path: String,
 }
 
 impl<'a> At<'a> {
-    pub fn root(node: &'a Node, file: FileId) -> Self {
+    pub fn root(node: &'a JsonNode, file: FileId) -> Self {
         Self { node, file, path: String::new() }
     }
 
@@ -47,7 +47,7 @@ impl<'a> At<'a> {
         self.fail(codes::E0504, format!("{what} is {}, expected {expected}", self.node.kind()))
     }
 
-    fn below(&self, node: &'a Node, step: &str) -> Self {
+    fn below(&self, node: &'a JsonNode, step: &str) -> Self {
         let dot = if self.path.is_empty() || step.starts_with('[') { "" } else { "." };
         Self { node, file: self.file, path: format!("{}{dot}{step}", self.path) }
     }

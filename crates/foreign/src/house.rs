@@ -16,7 +16,7 @@ const HEIGHT: f64 = 2.6;
 pub(crate) struct House {
     pub rooms: Vec<HouseRoom>,
     pub openings: Vec<Opening>,
-    pub things: Vec<Thing>,
+    pub things: Vec<HouseObject>,
     /// What the file says besides.
     pub rest: Rest,
     /// What was filled in or left out: what, and of which things.
@@ -120,7 +120,7 @@ pub(crate) enum Holds {
 
 /// A thing.
 #[derive(Clone, Debug)]
-pub(crate) struct Thing {
+pub(crate) struct HouseObject {
     pub id: String,
     pub category: String,
     /// The file or the model that it is.
@@ -140,7 +140,7 @@ pub(crate) struct Thing {
     pub holds: Holds,
 }
 
-impl Thing {
+impl HouseObject {
     /// The middle of the lower face of its box.
     pub fn base(&self) -> Vec3 {
         self.center - self.axes.column(1) * (self.size.y / 2.0)

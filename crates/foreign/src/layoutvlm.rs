@@ -5,7 +5,7 @@
 //! height; where the program of LayoutVLM has prepared a room (its assets have `asset_var_name`), x and y have changed places.
 
 use crate::cursor::{At, Found};
-use crate::house::{Holds, House, HouseRoom, Open, Thing, standing, usual, usually};
+use crate::house::{Holds, House, HouseObject, HouseRoom, Open, standing, usual, usually};
 use crate::names::category;
 use crate::sizes::Sizes;
 use nalgebra::Matrix3;
@@ -146,7 +146,7 @@ fn thing(id: &str, pose: &At<'_>, asset: Option<&At<'_>>, sizes: &Sizes, house: 
         _ => usually(&category, bottom, floor),
     };
     let room = (!house.rooms.is_empty()).then_some(0);
-    house.things.push(Thing {
+    house.things.push(HouseObject {
         id: id.into(),
         category,
         asset: name,

@@ -21,7 +21,7 @@ pub use sizes::Sizes;
 use cursor::At;
 use scenelang_base::{Diagnostic, FileId, TextRange, codes};
 use scenelang_lang::sources::{Loader, normal};
-use scenelang_layout::file::json::{Findings, Json, Node, find, parse};
+use scenelang_layout::file::json::{Findings, Json, JsonNode, find, parse};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ const MOST_WORK: usize = 50_000_000;
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum FileKind {
     /// A house of AI2-THOR, as ProcTHOR and Holodeck write it.
     House,
     /// A room and its assets, as LayoutVLM is given it.
@@ -44,7 +44,7 @@ pub enum Kind {
     SceneState,
 }
 
-impl Kind {
+impl FileKind {
     /// What such a file is, in words.
     pub fn in_words(self) -> &'static str {
         match self {
@@ -68,7 +68,7 @@ pub struct Beside {
 /// A room of LayoutVLM.
 #[derive(Clone, Debug)]
 pub struct RoomFile {
-    root: Node,
+    root: JsonNode,
     file: FileId,
 }
 
@@ -78,7 +78,7 @@ impl RoomFile {
     /// # Errors
     /// It is no JSON, or no room of LayoutVLM.
     pub fn read(text: &str, file: FileId) -> Result<Self, Box<Diagnostic>> {
-        let root = whole(text, file)?.filter(|root| kind_of(root) == Some(Kind::Task));
+        let root = whole(text, file)?.filter(|root| kind_of(root) == Some(FileKind::Task));
         root.map(|root| Self { root, file }).ok_or_else(|| {
             let say = "this is no room of LayoutVLM: it has no `boundary`, or no `assets`";
             Box::new(Diagnostic::new(codes::E0502, TextRange::empty(0).in_file(file), say))
@@ -87,7 +87,7 @@ impl RoomFile {
 }
 
 /// A text of which every byte is as it should be; the first thing that is not, else.
-fn whole(text: &str, file: FileId) -> Result<Option<Node>, Box<Diagnostic>> {
+fn whole(text: &str, file: FileId) -> Result<Option<JsonNode>, Box<Diagnostic>> {
     let mut findings = Findings::new(file);
     let root = parse(text, &mut findings);
     match findings.list.into_iter().find(Diagnostic::is_error) {
@@ -100,7 +100,7 @@ fn whole(text: &str, file: FileId) -> Result<Option<Node>, Box<Diagnostic>> {
 #[derive(Clone, Debug)]
 pub struct Foreign {
     /// What the file is.
-    pub kind: Kind,
+    pub kind: FileKind,
     /// How to call the layout in messages: as a file below the one that was read.
     pub layout_name: String,
     /// The path of the same.
@@ -126,7 +126,7 @@ impl Loader for Foreign {
 }
 
 /// What kind of file a text is; `None`: none that is read here. A text that breaks off is recognised by how it begins.
-pub fn recognise(text: &str) -> Option<Kind> {
+pub fn recognise(text: &str) -> Option<FileKind> {
     if text.len() > MAX_BYTES {
         // Nobody needs to know more of it than that it is refused.
         return by_words(text.get(..MAX_BYTES.min(1 << 16)).unwrap_or_default());
@@ -139,37 +139,38 @@ pub fn recognise(text: &str) -> Option<Kind> {
 }
 
 /// By what stands in a text that cannot be read as a whole.
-fn by_words(text: &str) -> Option<Kind> {
+fn by_words(text: &str) -> Option<FileKind> {
     let has = |word: &str| text.contains(word);
     if has("\"sceneState\"") {
-        Some(Kind::SceneState)
+        Some(FileKind::SceneState)
     } else if has("\"floor_vertices\"") {
-        Some(Kind::Task)
+        Some(FileKind::Task)
     } else if has("\"floorPolygon\"") || has("\"proceduralParameters\"") {
-        Some(Kind::House)
+        Some(FileKind::House)
     } else {
         None
     }
 }
 
-fn kind_of(root: &Node) -> Option<Kind> {
+fn kind_of(root: &JsonNode) -> Option<FileKind> {
     let members = root.members()?;
     let has = |key: &str| find(members, key).is_some();
     if find(members, "format").is_some_and(|m| m.node.value == Json::Text("sceneState".to_owned())) {
-        return Some(Kind::SceneState);
+        return Some(FileKind::SceneState);
     }
     if has("format") {
         return None;
     }
     if has("boundary") && has("assets") {
-        return Some(Kind::Task);
+        return Some(FileKind::Task);
     }
     if has("rooms") && (has("walls") || has("proceduralParameters") || has("doors")) {
-        return Some(Kind::House);
+        return Some(FileKind::House);
     }
-    let is_pose =
-        |node: &Node| node.members().is_some_and(|m| find(m, "position").is_some() && find(m, "rotation").is_some());
-    (!members.is_empty() && members.iter().all(|m| is_pose(&m.node))).then_some(Kind::Poses)
+    let is_pose = |node: &JsonNode| {
+        node.members().is_some_and(|m| find(m, "position").is_some() && find(m, "rotation").is_some())
+    };
+    (!members.is_empty() && members.iter().all(|m| is_pose(&m.node))).then_some(FileKind::Poses)
 }
 
 /// Reads a file that is called `name` and is at `path`; places in what is wrong with it are those of `file`.
@@ -190,12 +191,12 @@ pub fn read(name: &str, path: &Path, text: &str, file: FileId, beside: &Beside) 
     };
     let (at, sizes) = (At::root(root, file), &beside.sizes);
     let mut house = match kind {
-        Kind::House => ai2thor::read(&at, sizes),
-        Kind::Task => layoutvlm::task(&at, sizes),
-        Kind::Poses => {
+        FileKind::House => ai2thor::read(&at, sizes),
+        FileKind::Task => layoutvlm::task(&at, sizes),
+        FileKind::Poses => {
             layoutvlm::poses(&at, beside.room.as_ref().map(|room| At::root(&room.root, room.file)).as_ref(), sizes)
         }
-        Kind::SceneState => scenestate::read(&at, sizes),
+        FileKind::SceneState => scenestate::read(&at, sizes),
     }?;
     if house.work() > MOST_WORK {
         return at.fail(codes::E0005, "there are more corners of rooms and things than can be looked at");

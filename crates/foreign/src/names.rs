@@ -13,13 +13,13 @@ const MEANT: &[&str] = &["objects", "count", "in", "where", "weight", "rooms", "
 
 /// Names that were given: each is given once.
 #[derive(Debug, Default)]
-pub(crate) struct Names {
+pub(crate) struct GivenNames {
     given: BTreeSet<String>,
     /// The number to be tried next, by name.
     next: BTreeMap<String, usize>,
 }
 
-impl Names {
+impl GivenNames {
     /// A name of these words: "coffee table" is `coffeeTable`.
     pub fn take(&mut self, words: &str, fallback: &str) -> String {
         let wanted = identifier(words, fallback);
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn names_can_be_written_and_are_given_once() {
-        let mut names = Names::default();
+        let mut names = GivenNames::default();
         let taken = ["Coffee Table", "coffee_table-2", "object", "on", "灯", "front", "TVStand"]
             .map(|n| names.take(n, "thing"));
         assert_eq!(taken, ["coffeeTable", "coffeeTable2", "object2", "on2", "thing", "front2", "tvstand"]);

@@ -8,7 +8,7 @@
 //! stand on the floor tell: where some have their origin at its height, it is the base.
 
 use crate::cursor::{At, Found};
-use crate::house::{Holds, House, HouseRoom, Open, Opening, Thing, usual, usually};
+use crate::house::{Holds, House, HouseObject, HouseRoom, Open, Opening, usual, usually};
 use crate::layoutvlm::axes;
 use crate::names::category;
 use crate::sizes::Sizes;
@@ -170,7 +170,7 @@ fn points(at: &At<'_>, frame: Frame) -> Found<Vec<Vec3>> {
 }
 
 /// A thing, with its origin in the place of its middle, and where its middle is in its own frame, if that is known.
-fn object(at: &At<'_>, frame: Frame, sizes: &Sizes, house: &mut House) -> Found<Option<(Thing, Option<Vec3>)>> {
+fn object(at: &At<'_>, frame: Frame, sizes: &Sizes, house: &mut House) -> Found<Option<(HouseObject, Option<Vec3>)>> {
     let model_id = at.need("modelId")?.name()?;
     let id = match at.maybe_name("id")? {
         Some(id) => id,
@@ -213,7 +213,7 @@ fn object(at: &At<'_>, frame: Frame, sizes: &Sizes, house: &mut House) -> Found<
         model.and_then(|m| m.middle).map(|m| Vec3::new(-m.x * scale.x, m.y * scale.y, m.z * scale.z) * frame.unit);
     let room = (house.rooms.len() == 1).then_some(0);
     let axes = frame.axes(&there);
-    let thing = Thing {
+    let thing = HouseObject {
         id,
         category,
         asset: model_id,

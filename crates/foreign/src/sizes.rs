@@ -5,12 +5,12 @@
 
 use scenelang_base::{Diagnostic, FileId, TextRange, codes};
 use scenelang_layout::Vec3;
-use scenelang_layout::file::json::{Json, Member, Node, find};
+use scenelang_layout::file::json::{Json, JsonNode, Member, find};
 use std::collections::BTreeMap;
 
 /// What is known of a model.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Model {
+pub(crate) struct KnownSize {
     pub size: Vec3,
     /// The middle of its box in its own frame, where that is said.
     pub middle: Option<Vec3>,
@@ -19,7 +19,7 @@ pub(crate) struct Model {
 
 /// Sizes of models by name.
 #[derive(Clone, Debug, Default)]
-pub struct Sizes(BTreeMap<String, Model>);
+pub struct Sizes(BTreeMap<String, KnownSize>);
 
 /// The largest size that a model has (metres).
 const LARGEST: f64 = 100.0;
@@ -54,18 +54,18 @@ impl Sizes {
     }
 
     /// What is known of a model. Datasets put their name before a dot.
-    pub(crate) fn get(&self, name: &str) -> Option<&Model> {
+    pub(crate) fn get(&self, name: &str) -> Option<&KnownSize> {
         self.0.get(name).or_else(|| self.0.get(name.split_once('.')?.1))
     }
 
-    fn collect(&mut self, node: &Node, name: Option<&str>) {
+    fn collect(&mut self, node: &JsonNode, name: Option<&str>) {
         match &node.value {
             Json::Array(items) => items.iter().for_each(|item| self.collect(item, name)),
             Json::Object(members) => {
                 let own = ["assetId", "uid"].iter().find_map(|key| text(members, key)).or(name);
                 if let (Some(name), Some((size, middle))) = (own, boxed(members)) {
                     let category = ["category", "objectType"].iter().find_map(|key| text(members, key));
-                    let model = Model { size, middle, category: category.map(str::to_owned) };
+                    let model = KnownSize { size, middle, category: category.map(str::to_owned) };
                     self.0.entry(name.to_owned()).or_insert(model);
                     return;
                 }

@@ -1,9 +1,9 @@
 //! A house as a program and a layout. The program says what things are, how large, and what is known of them; where things
 //! stand, the layout says, so that whoever works on with it may move them. Rooms stay as they are.
 
-use crate::Kind;
-use crate::house::{Holds, House, Open, Opening, Thing, is_flat};
-use crate::names::Names;
+use crate::FileKind;
+use crate::house::{Holds, House, HouseObject, Open, Opening, is_flat};
+use crate::names::GivenNames;
 use nalgebra::Matrix3;
 use scenelang_base::{Diagnostic, codes, plain};
 use scenelang_lang::fmt::{FormatOptions, format};
@@ -23,10 +23,10 @@ pub(crate) struct Written {
     pub notes: Vec<Diagnostic>,
 }
 
-pub(crate) fn write(house: &House, scene: &str, from: &str, kind: Kind) -> Written {
+pub(crate) fn write(house: &House, scene: &str, from: &str, kind: FileKind) -> Written {
     let mut writer = Writer {
         house,
-        names: Names::default(),
+        names: GivenNames::default(),
         program: format!("// {}, read from {}.\n", capital(kind.in_words()), plain::line(from)),
         layout: Layout { scene: Some(scene.to_owned()), ..Layout::default() },
         rooms: Vec::new(),
@@ -48,7 +48,7 @@ fn capital(text: &str) -> String {
 
 struct Writer<'h> {
     house: &'h House,
-    names: Names,
+    names: GivenNames,
     program: String,
     layout: Layout,
     /// Names of the rooms and of the things, in their order.
@@ -164,7 +164,7 @@ impl Writer<'_> {
     }
 
     /// What is known of a thing, as statements.
-    fn known(&mut self, index: usize, thing: &Thing, any_usual: bool) {
+    fn known(&mut self, index: usize, thing: &HouseObject, any_usual: bool) {
         let name = &self.things[index];
         let base = thing.base();
         let over = || self.house.rooms.iter().position(|room| room.holds(Vec2::new(base.x, base.z)));

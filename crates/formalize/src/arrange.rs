@@ -5,7 +5,7 @@
 //! room whose size nobody gave grows where its neighbours do not find room along it. An outline counts by the rectangle
 //! around it.
 
-use crate::draft::{Draft, Note, Source};
+use crate::draft::{Draft, Note, ThingOrigin};
 
 /// The distance of neighbouring rooms: a wall of 3 cm each (metres).
 pub const WALL: f64 = 0.06;
@@ -77,8 +77,8 @@ pub fn arrange_rooms(draft: &mut Draft) {
         let opening = &mut draft.openings[at];
         opening.rooms.truncate(1);
         let words = match &opening.source {
-            Source::Stated(at) => at.clone(),
-            Source::Inferred(_) => 0..0,
+            ThingOrigin::Stated(at) => at.clone(),
+            ThingOrigin::Inferred(_) => 0..0,
         };
         let reason = format!("no arrangement was found in which the rooms of `{}` share a wall", opening.name);
         draft.notes.push(Note { at: words, reason });

@@ -1,6 +1,6 @@
 //! What a request says, before it is a program: a value that can be printed, checked and edited.
 
-pub use crate::brief::{Look, Note, Source};
+pub use crate::brief::{Look, Note, ThingOrigin};
 use crate::write::number;
 
 /// A request, read. Names are identifiers of the language, each used once among rooms, openings and things.
@@ -11,11 +11,11 @@ pub struct Draft {
     /// Outdoor: no walls, no ceiling.
     pub outdoor: bool,
     /// The regions.
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<DraftRoom>,
     /// Doors and windows.
     pub openings: Vec<Opening>,
     /// The objects.
-    pub things: Vec<Thing>,
+    pub things: Vec<DraftThing>,
     /// What is asked of them.
     pub statements: Vec<Statement>,
     /// What opens less far than is useful, because its room has no place for more.
@@ -40,7 +40,7 @@ impl Draft {
 
 /// A region of the program.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Room {
+pub struct DraftRoom {
     /// An identifier of the language.
     pub name: String,
     /// What the request calls it: "meeting room".
@@ -58,7 +58,7 @@ pub struct Room {
     /// The look of its walls.
     pub walls: Surface,
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
 }
 
 /// How a floor or a wall looks.
@@ -86,7 +86,7 @@ pub struct Opening {
     /// Its looks.
     pub look: Look,
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
 }
 
 /// What kind of opening.
@@ -100,7 +100,7 @@ pub enum OpeningKind {
 
 /// An object of the program, or an array of like ones.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Thing {
+pub struct DraftThing {
     /// An identifier of the language.
     pub name: String,
     /// Lower case, singular, underscores: "office_chair".
@@ -114,7 +114,7 @@ pub struct Thing {
     /// Its looks.
     pub look: Look,
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
 }
 
 /// One statement of the program.
@@ -125,7 +125,7 @@ pub struct Statement {
     /// What is asked for, without keyword, semicolon, `@req` and comments: `near(lamp, sofa, 0.5)`.
     pub text: String,
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
     /// Whether it was to hold, and is only preferred because it cannot, or because no layout was found in which it does.
     pub relaxed: bool,
 }
@@ -176,7 +176,7 @@ impl Narrowed {
         let name = self.object.split('[').next().unwrap_or(&self.object);
         let room = draft.things.iter().find(|thing| thing.name == name).and_then(|thing| thing.room);
         match room.and_then(|at| draft.rooms.get(at)) {
-            Some(Room { size: [w, _, d], .. }) => format!("the room is {} × {} m", number(*w), number(*d)),
+            Some(DraftRoom { size: [w, _, d], .. }) => format!("the room is {} × {} m", number(*w), number(*d)),
             None => "there is no more space in front of it".to_owned(),
         }
     }
@@ -195,7 +195,7 @@ pub enum Demand {
 
 impl Statement {
     /// The statement that a line of the language is.
-    pub fn new(line: &str, source: Source) -> Self {
+    pub fn new(line: &str, source: ThingOrigin) -> Self {
         let line = line.trim().trim_end_matches(';').trim_end();
         let after = |keyword| line.strip_prefix(keyword).filter(|rest| rest.starts_with([' ', '(', '\n']));
         let (demand, text) = match (after("assert"), after("prefer")) {

@@ -1,7 +1,7 @@
 //! Stage I in one call: a request, and perhaps a model; out comes a program. Without a model, or where it fails, the
 //! English reader reads.
 
-use crate::draft::{Draft, Note, Source};
+use crate::draft::{Draft, Note, ThingOrigin};
 use crate::model::{self, Asking, Usage};
 use crate::read::{Options, Reading, read};
 use crate::text::sentence_ranges;
@@ -49,7 +49,7 @@ pub fn with_model(
     fallback: Option<Draft>,
     model: &mut dyn Model,
 ) -> Result<Formalized, Error> {
-    let model::Outcome { draft, mut diagnostics, usage } = model::draft(request, asking, model);
+    let model::ModelOutcome { draft, mut diagnostics, usage } = model::draft(request, asking, model);
     let draft = match (draft, fallback) {
         (Ok(draft), _) => draft,
         (Err(error), Some(fallback)) => {
@@ -78,11 +78,11 @@ impl Formalized {
         let openings = draft.openings.iter().map(|opening| &opening.source);
         let things = draft.things.iter().map(|thing| &thing.source);
         let statements = draft.statements.iter().map(|statement| &statement.source);
-        let sources: Vec<&Source> = rooms.chain(openings).chain(things).chain(statements).collect();
+        let sources: Vec<&ThingOrigin> = rooms.chain(openings).chain(things).chain(statements).collect();
         let came = |at: &std::ops::Range<usize>| {
             sources
                 .iter()
-                .any(|source| matches!(source, Source::Stated(own) if own.start < at.end && at.start < own.end))
+                .any(|source| matches!(source, ThingOrigin::Stated(own) if own.start < at.end && at.start < own.end))
         };
         let read: Vec<_> = sentence_ranges(&draft.request).into_iter().map(|at| (at.clone(), came(&at))).collect();
         Reading {

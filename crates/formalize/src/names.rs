@@ -93,11 +93,11 @@ fn plain(c: char) -> char {
 
 /// Names given so far: each is given once.
 #[derive(Clone, Debug, Default)]
-pub struct Names {
+pub struct GivenNames {
     given: BTreeSet<String>,
 }
 
-impl Names {
+impl GivenNames {
     /// A name like this one that nothing else has yet.
     pub fn take(&mut self, wanted: &str) -> String {
         let free = |name: &String| !self.given.contains(name) && !TAKEN.contains(&name.as_str());
@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn each_name_once_and_none_reserved() {
-        let mut names = Names::default();
+        let mut names = GivenNames::default();
         let taken = ["lamp", "lamp", "object", "lamp", "front"].map(|w| names.take(w));
         assert_eq!(taken, ["lamp", "lamp2", "object2", "lamp3", "front2"]);
     }

@@ -1,6 +1,6 @@
 //! Statements that are given up: what must hold becomes what is preferred, and a note says why.
 
-use crate::draft::{Demand, Draft, Note, Opening, OpeningKind, Source, Statement};
+use crate::draft::{Demand, Draft, Note, Opening, OpeningKind, Statement, ThingOrigin};
 use crate::write::{clear_space, number};
 use scenelang_lang::program::{ConstraintKind, Program};
 use std::collections::BTreeMap;
@@ -34,8 +34,8 @@ impl Stated {
     /// `None`: never.
     pub fn rank(&self, draft: &Draft, constraint: usize) -> Option<usize> {
         self.of(constraint).map(|i| match &draft.statements[i].source {
-            Source::Inferred(_) => draft.statements.len() + i,
-            Source::Stated(_) => i,
+            ThingOrigin::Inferred(_) => draft.statements.len() + i,
+            ThingOrigin::Stated(_) => i,
         })
     }
 }
@@ -81,7 +81,7 @@ impl Draft {
         self.statements.push(Statement {
             demand: Demand::Prefer,
             text: format!("clear({name}, front, {depth}) and clear({name}, behind, {depth})"),
-            source: Source::Inferred("a door opens freely where there is space for it".to_owned()),
+            source: ThingOrigin::Inferred("a door opens freely where there is space for it".to_owned()),
             relaxed: false,
         });
         true
@@ -106,8 +106,8 @@ impl Draft {
     }
 
     /// Notes that words of the request became no statement, or none that must hold.
-    pub fn note(&mut self, source: &Source, reason: &str) {
-        if let Source::Stated(at) = source {
+    pub fn note(&mut self, source: &ThingOrigin, reason: &str) {
+        if let ThingOrigin::Stated(at) = source {
             let note = Note { at: at.clone(), reason: reason.to_owned() };
             if !self.notes.contains(&note) {
                 self.notes.push(note);

@@ -8,7 +8,9 @@
 //! given a meaning. The text is as the formatter leaves it.
 
 use crate::colors;
-use crate::draft::{Demand, Draft, Look, Narrowed, Opening, OpeningKind, Room, Source, Statement, Thing};
+use crate::draft::{
+    Demand, Draft, DraftRoom, DraftThing, Look, Narrowed, Opening, OpeningKind, Statement, ThingOrigin,
+};
 use crate::names::words;
 use crate::text::{folded, phrase, plain, quoted, wrapped};
 use scenelang_lang::fmt::{FormatOptions, format};
@@ -54,10 +56,10 @@ fn rooms(draft: &Draft) -> impl Iterator<Item = Option<usize>> {
 }
 
 /// The things of a room: what is asked for, then what is not.
-fn of_room(draft: &Draft, room: Option<usize>) -> impl Iterator<Item = &Thing> {
-    let own = move |thing: &&Thing| thing.room.filter(|at| *at < draft.rooms.len()) == room;
+fn of_room(draft: &Draft, room: Option<usize>) -> impl Iterator<Item = &DraftThing> {
+    let own = move |thing: &&DraftThing| thing.room.filter(|at| *at < draft.rooms.len()) == room;
     let own = move |asked: bool| {
-        draft.things.iter().filter(own).filter(move |t| matches!(t.source, Source::Stated(_)) == asked)
+        draft.things.iter().filter(own).filter(move |t| matches!(t.source, ThingOrigin::Stated(_)) == asked)
     };
     own(true).chain(own(false))
 }
@@ -67,7 +69,7 @@ struct Writer<'d> {
     out: String,
     behind: BTreeMap<Option<&'d str>, Vec<usize>>,
     /// Statements that nobody asked for and that are not written yet, each with its reason.
-    unasked: Vec<(Source, String)>,
+    unasked: Vec<(ThingOrigin, String)>,
     /// Whether the section has come to what nobody asked for.
     begun: bool,
 }
@@ -89,7 +91,7 @@ impl Writer<'_> {
             self.not_asked();
         }
         for room in rooms(self.draft) {
-            let things: Vec<&Thing> = of_room(self.draft, room).collect();
+            let things: Vec<&DraftThing> = of_room(self.draft, room).collect();
             if things.is_empty() {
                 continue;
             }
@@ -98,7 +100,7 @@ impl Writer<'_> {
                 kind => kind,
             });
             self.heading(&capital(name.as_deref().unwrap_or("Elsewhere")));
-            let asked = things.iter().take_while(|thing| matches!(thing.source, Source::Stated(_))).count();
+            let asked = things.iter().take_while(|thing| matches!(thing.source, ThingOrigin::Stated(_))).count();
             for (at, thing) in things.into_iter().enumerate() {
                 if at == asked {
                     self.begin_unasked();
@@ -135,8 +137,8 @@ impl Writer<'_> {
         self.line("");
     }
 
-    fn room(&mut self, room: &Room) {
-        let Room { name, size: [w, h, d], at: [x, z], .. } = room;
+    fn room(&mut self, room: &DraftRoom) {
+        let DraftRoom { name, size: [w, h, d], at: [x, z], .. } = room;
         let kind = plain(&room.kind);
         self.line("");
         if !kind.is_empty() && crate::names::identifier(&kind, "") != *name {
@@ -172,7 +174,7 @@ impl Writer<'_> {
 
     fn opening(&mut self, opening: &Opening) {
         let Opening { name, kind, category, rooms, size, look, source } = opening;
-        let rooms: Vec<&Room> = rooms.iter().filter_map(|room| self.draft.rooms.get(*room)).take(2).collect();
+        let rooms: Vec<&DraftRoom> = rooms.iter().filter_map(|room| self.draft.rooms.get(*room)).take(2).collect();
         self.declaration(name, 1, source);
         let plain = if *kind == OpeningKind::Door { "door" } else { "window" };
         self.text(name, "category", category.as_deref().unwrap_or(plain));
@@ -221,13 +223,13 @@ impl Writer<'_> {
     fn inferred(&mut self, reason: &str, conditions: &[Option<String>]) {
         let conditions: Vec<&str> = conditions.iter().flatten().map(String::as_str).collect();
         if !conditions.is_empty() {
-            self.statement(&Source::Inferred(reason.to_owned()), format!("assert {};", conditions.join(" and ")));
+            self.statement(&ThingOrigin::Inferred(reason.to_owned()), format!("assert {};", conditions.join(" and ")));
         }
     }
 
     /// A statement; one that nobody asked for waits for the end of its section.
-    fn statement(&mut self, source: &Source, line: String) {
-        if matches!(source, Source::Inferred(_)) {
+    fn statement(&mut self, source: &ThingOrigin, line: String) {
+        if matches!(source, ThingOrigin::Inferred(_)) {
             self.unasked.push((source.clone(), line));
             return;
         }
@@ -261,8 +263,8 @@ impl Writer<'_> {
         }
     }
 
-    fn thing(&mut self, thing: &Thing) {
-        let Thing { name, category, count, room, size, look, source } = thing;
+    fn thing(&mut self, thing: &DraftThing) {
+        let DraftThing { name, category, count, room, size, look, source } = thing;
         self.declaration(name, *count, source);
         self.text(name, "category", &category.replace('_', " "));
         if let Some(size) = size {
@@ -283,7 +285,7 @@ impl Writer<'_> {
     }
 
     /// Whether some statement of the draft says already that the whole thing is in the room.
-    fn says_where(&self, thing: &Thing, room: &Room) -> bool {
+    fn says_where(&self, thing: &DraftThing, room: &DraftRoom) -> bool {
         const PLACES: [&str; 6] = ["inside", "onFloor", "againstWall", "inCorner", "wallMounted", "ceilingMounted"];
         // Most statements are of other things: that is seen without a look at their form.
         let names = |s: &&Statement| s.demand == Demand::Must && s.text.contains(thing.name.as_str());
@@ -315,7 +317,7 @@ impl Writer<'_> {
         let own = |n: &&Narrowed| Some(n.object.split('[').next().unwrap_or_default()) == name;
         for narrowed in self.draft.narrowed.iter().filter(own) {
             let reason = format!("it opens less than is useful: {}", narrowed.why(self.draft));
-            self.statement(&Source::Inferred(reason), narrowed.line());
+            self.statement(&ThingOrigin::Inferred(reason), narrowed.line());
         }
     }
 
@@ -355,7 +357,7 @@ impl Writer<'_> {
         self.line("");
     }
 
-    fn declaration(&mut self, name: &str, count: usize, source: &Source) {
+    fn declaration(&mut self, name: &str, count: usize, source: &ThingOrigin) {
         self.line("");
         self.requirement(source);
         self.line(&if count > 1 { format!("object {name}[{count}];") } else { format!("object {name};") });
@@ -385,10 +387,10 @@ impl Writer<'_> {
         }
     }
 
-    fn requirement(&mut self, source: &Source) {
+    fn requirement(&mut self, source: &ThingOrigin) {
         let words = match source {
-            Source::Stated(at) => phrase(&self.draft.request, at),
-            Source::Inferred(reason) => format!("{INFERRED}{}", folded(reason)),
+            ThingOrigin::Stated(at) => phrase(&self.draft.request, at),
+            ThingOrigin::Inferred(reason) => format!("{INFERRED}{}", folded(reason)),
         };
         if !words.is_empty() {
             self.line(&format!("@req({})", quoted(&words)));

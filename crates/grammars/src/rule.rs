@@ -27,7 +27,7 @@ pub enum Rule {
     /// A piece that shows as a node of another name.
     Alias(Box<Self>, &'static str),
     /// How tightly it binds.
-    Prec(Side, i32, Box<Self>),
+    Prec(Associativity, i32, Box<Self>),
     /// One token.
     Token(Box<Self>),
     /// One token without a blank before it.
@@ -38,7 +38,7 @@ pub enum Rule {
 
 /// Which way operators that bind alike group.
 #[derive(Clone, Copy, Debug)]
-pub enum Side {
+pub enum Associativity {
     /// Not at all.
     None,
     /// `(a + b) + c`
@@ -83,7 +83,7 @@ pub fn field(name: &'static str, rule: Rule) -> Rule {
 pub fn alias(rule: Rule, name: &'static str) -> Rule {
     Rule::Alias(Box::new(rule), name)
 }
-pub fn prec(side: Side, binds: i32, rule: Rule) -> Rule {
+pub fn prec(side: Associativity, binds: i32, rule: Rule) -> Rule {
     Rule::Prec(side, binds, Box::new(rule))
 }
 pub fn token(rule: Rule) -> Rule {
@@ -138,9 +138,9 @@ impl Rule {
             }
             Self::Prec(side, binds, rule) => {
                 let kind = match side {
-                    Side::None => "PREC",
-                    Side::Left => "PREC_LEFT",
-                    Side::Right => "PREC_RIGHT",
+                    Associativity::None => "PREC",
+                    Associativity::Left => "PREC_LEFT",
+                    Associativity::Right => "PREC_RIGHT",
                 };
                 json!({ "type": kind, "value": binds, "content": rule.json() })
             }
@@ -165,9 +165,9 @@ impl Rule {
             Self::Optional(rule) => ("optional", None, from_ref(rule)),
             Self::Repeat(rule) => ("repeat", None, from_ref(rule)),
             Self::Field(name, rule) => ("field", Some(json!(name).to_string()), from_ref(rule)),
-            Self::Prec(Side::None, binds, rule) => ("prec", Some(binds.to_string()), from_ref(rule)),
-            Self::Prec(Side::Left, binds, rule) => ("prec.left", Some(binds.to_string()), from_ref(rule)),
-            Self::Prec(Side::Right, binds, rule) => ("prec.right", Some(binds.to_string()), from_ref(rule)),
+            Self::Prec(Associativity::None, binds, rule) => ("prec", Some(binds.to_string()), from_ref(rule)),
+            Self::Prec(Associativity::Left, binds, rule) => ("prec.left", Some(binds.to_string()), from_ref(rule)),
+            Self::Prec(Associativity::Right, binds, rule) => ("prec.right", Some(binds.to_string()), from_ref(rule)),
             Self::Token(rule) => ("token", None, from_ref(rule)),
             Self::Immediate(rule) => ("token.immediate", None, from_ref(rule)),
             Self::Reserved(set, rule) => ("reserved", Some(json!(set).to_string()), from_ref(rule)),

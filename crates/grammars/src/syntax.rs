@@ -6,7 +6,7 @@
 //! wherever tree-sitter finds it in the place of a name. The one place where what follows must decide is `forall
 //! implies …`, a conflict that both readings are tried for.
 
-use crate::rule::Side::{Left, None, Right};
+use crate::rule::Associativity::{Left, None, Right};
 use crate::rule::{
     Grammar, Rule, alias, choice, field, immediate, optional, pattern, prec, repeat, reserved, seq, symbol, text, token,
 };

@@ -7,11 +7,11 @@ use crate::shape::is_constraint;
 use scenelang_base::TextRange;
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::Meanings;
-use scenelang_lang::items::Place;
+use scenelang_lang::items::Located;
 
 /// What can be asked about.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Node {
+pub enum CallNode {
     /// A name: an object, a region, a variable, a predicate.
     Name(Symbol),
     /// The statement at an offset.
@@ -24,7 +24,7 @@ pub enum Node {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Item {
     /// What it is.
-    pub node: Node,
+    pub node: CallNode,
     /// How it is called.
     pub name: String,
     /// All of it.
@@ -52,7 +52,7 @@ pub fn item_at(snapshot: &Snapshot, offset: u32) -> Result<Option<Item>, Cancell
     {
         return named(snapshot, &name);
     }
-    let holds = |place: &Place<'_>| {
+    let holds = |place: &Located<'_>| {
         let range = place.stmt.range.shifted(place.offset);
         is_constraint(&place.stmt.kind) && range.start <= offset && offset <= range.end
     };
@@ -63,10 +63,10 @@ pub fn item_at(snapshot: &Snapshot, offset: u32) -> Result<Option<Item>, Cancell
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn incoming(snapshot: &Snapshot, node: &Node) -> Result<Vec<(Item, Vec<TextRange>)>, Cancelled> {
+pub fn incoming(snapshot: &Snapshot, node: &CallNode) -> Result<Vec<(Item, Vec<TextRange>)>, Cancelled> {
     let meanings = snapshot.meanings()?;
     match node {
-        Node::Name(symbol) => {
+        CallNode::Name(symbol) => {
             let places = references(snapshot, snapshot.main(), symbol, false)?;
             let places: Vec<TextRange> = places
                 .into_iter()
@@ -81,7 +81,7 @@ pub fn incoming(snapshot: &Snapshot, node: &Node) -> Result<Vec<(Item, Vec<TextR
             });
             Ok(speaking.collect())
         }
-        Node::Constraint(at) => {
+        CallNode::Constraint(at) => {
             let own = constraints(&meanings).find(|place| place.offset == *at);
             let asked = own.into_iter().flat_map(|place| {
                 place.stmt.requirements.iter().map(move |(sentence, range)| {
@@ -91,7 +91,7 @@ pub fn incoming(snapshot: &Snapshot, node: &Node) -> Result<Vec<(Item, Vec<TextR
             });
             Ok(asked.collect())
         }
-        Node::Requirement(_) => Ok(Vec::new()),
+        CallNode::Requirement(_) => Ok(Vec::new()),
     }
 }
 
@@ -99,24 +99,24 @@ pub fn incoming(snapshot: &Snapshot, node: &Node) -> Result<Vec<(Item, Vec<TextR
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn outgoing(snapshot: &Snapshot, node: &Node) -> Result<Vec<(Item, Vec<TextRange>)>, Cancelled> {
+pub fn outgoing(snapshot: &Snapshot, node: &CallNode) -> Result<Vec<(Item, Vec<TextRange>)>, Cancelled> {
     let meanings = snapshot.meanings()?;
     match node {
-        Node::Name(_) => Ok(Vec::new()),
-        Node::Constraint(at) => {
+        CallNode::Name(_) => Ok(Vec::new()),
+        CallNode::Constraint(at) => {
             let all = occurrences(snapshot, snapshot.main())?;
             let mut out: Vec<(Item, Vec<TextRange>)> = Vec::new();
             let named_here =
                 |o: &&Occurrence| o.statement == *at && matches!(o.symbol, Symbol::Item(..) | Symbol::Predicate(_));
             for name in all.iter().filter(named_here) {
-                match out.iter_mut().find(|(item, _)| matches!(&item.node, Node::Name(s) if s.is(&name.symbol))) {
+                match out.iter_mut().find(|(item, _)| matches!(&item.node, CallNode::Name(s) if s.is(&name.symbol))) {
                     Some((_, places)) => places.push(name.range),
                     None => out.extend(named(snapshot, name)?.map(|item| (item, vec![name.range]))),
                 }
             }
             Ok(out)
         }
-        Node::Requirement(sentence) => {
+        CallNode::Requirement(sentence) => {
             let answers = constraints(&meanings).filter_map(|place| {
                 let (_, range) = place.stmt.requirements.iter().find(|(s, _)| s == sentence)?;
                 Some((constraint(snapshot, place), vec![range.shifted(place.offset)]))
@@ -126,18 +126,18 @@ pub fn outgoing(snapshot: &Snapshot, node: &Node) -> Result<Vec<(Item, Vec<TextR
     }
 }
 
-fn constraints<'m>(meanings: &'m Meanings<'_>) -> impl Iterator<Item = &'m Place<'m>> {
+fn constraints<'m>(meanings: &'m Meanings<'_>) -> impl Iterator<Item = &'m Located<'m>> {
     meanings.statements.iter().map(|(place, _)| place).filter(|place| is_constraint(&place.stmt.kind))
 }
 
-fn constraint(snapshot: &Snapshot, place: &Place<'_>) -> Item {
+fn constraint(snapshot: &Snapshot, place: &Located<'_>) -> Item {
     let range = place.stmt.range.shifted(place.offset);
     let text: Vec<&str> = snapshot.slice(range.in_file(snapshot.main())).split_whitespace().collect();
-    Item { node: Node::Constraint(place.offset), name: text.join(" "), range, name_range: range }
+    Item { node: CallNode::Constraint(place.offset), name: text.join(" "), range, name_range: range }
 }
 
 fn requirement(sentence: &str, range: TextRange) -> Item {
-    Item { node: Node::Requirement(sentence.to_owned()), name: sentence.to_owned(), range, name_range: range }
+    Item { node: CallNode::Requirement(sentence.to_owned()), name: sentence.to_owned(), range, name_range: range }
 }
 
 /// A name as an item, shown where it is declared if that is in the main file.
@@ -147,5 +147,5 @@ fn named(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<Item>, Cancell
     let place = own.map_or(name.range, |(span, _)| span.range);
     let text = snapshot.slice(name.range.in_file(snapshot.main())).to_owned();
     let symbol = name.symbol.clone();
-    Ok(Some(Item { node: Node::Name(symbol), name: text, range: place, name_range: place }))
+    Ok(Some(Item { node: CallNode::Name(symbol), name: text, range: place, name_range: place }))
 }

@@ -9,7 +9,7 @@ use scenelang_lang::program::{Constraint, Formula, Node, NodeId, Unit};
 use scenelang_verify::{World, judge};
 
 /// A part of a conjunction, as written, and what came of it.
-pub(crate) struct Part {
+pub(crate) struct Conjunct {
     /// Its text, blanks folded.
     pub text: String,
     /// Whether it holds.
@@ -22,7 +22,7 @@ pub(crate) struct Part {
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub(crate) fn parts(snapshot: &Snapshot, constraint: &Constraint) -> Result<Vec<Part>, Cancelled> {
+pub(crate) fn parts(snapshot: &Snapshot, constraint: &Constraint) -> Result<Vec<Conjunct>, Cancelled> {
     let Some(layout) = snapshot.layout().filter(|l| l.read.usable).map(|l| &l.read.layout) else {
         return Ok(Vec::new());
     };
@@ -58,9 +58,9 @@ pub(crate) fn parts(snapshot: &Snapshot, constraint: &Constraint) -> Result<Vec<
         }
         let (holds, margin, unit) = worst?;
         let text = snapshot.text().get(range.bytes())?.split_whitespace().collect::<Vec<_>>().join(" ");
-        Some(Part { text, holds, margin: margin.is_finite().then(|| in_words(margin, unit)) })
+        Some(Conjunct { text, holds, margin: margin.is_finite().then(|| in_words(margin, unit)) })
     });
-    Ok(judged.collect::<Option<Vec<Part>>>().unwrap_or_default())
+    Ok(judged.collect::<Option<Vec<Conjunct>>>().unwrap_or_default())
 }
 
 /// The operands of a chain of `and`, from the left.

@@ -6,7 +6,7 @@ use scenelang_base::{Diagnostic, Label, Severity, codes};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::program::Unit;
 use scenelang_verify::check::Judged as Row;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 
 /// No more violations are shown.
 const MOST: usize = 250;
@@ -44,19 +44,19 @@ pub fn diagnostics(snapshot: &Snapshot) -> Result<Vec<Finding>, Cancelled> {
 /// Whether a collision is said by an assertion about the same two objects.
 fn said_already(judged: &Judged, row: &Row) -> bool {
     let same = |other: &Row| {
-        other.kind == Kind::Assert
+        other.kind == RowKind::Assert
             && other.code == codes::V0102
             && other.satisfied == Some(false)
             && other.objects.iter().all(|id| row.objects.contains(id))
     };
-    row.kind == Kind::Collision && judged.verdict.rows.iter().any(same)
+    row.kind == RowKind::Collision && judged.verdict.rows.iter().any(same)
 }
 
 fn violation(row: &Row, index: usize, out: &mut Vec<Finding>) {
     let message = headline(row);
     let made = |place, related: Vec<Label>| {
         let mut d = Diagnostic::new(row.code, place, message.clone());
-        if row.kind == Kind::Prefer {
+        if row.kind == RowKind::Prefer {
             d.severity = Severity::Warning;
         }
         d.related = related;

@@ -3,7 +3,7 @@
 use crate::Snapshot;
 use scenelang_base::TextRange;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, ObjectProperty, Program, RegionId, RegionProperty};
-use scenelang_layout::{Layout, Value as Given, Vec3};
+use scenelang_layout::{DecisionValue, Layout, Vec3};
 use scenelang_verify::{Value, World, evaluate};
 
 /// The value of a property of an object in the layout, as it could be written.
@@ -70,9 +70,9 @@ fn value(snapshot: &Snapshot, program: &Program, layout: &Layout, node: Node) ->
 pub(crate) fn of_variable(layout: &Layout, name: &str) -> Option<String> {
     let (_, value) = layout.variables.iter().find(|(n, _)| n == name)?;
     Some(match value {
-        Given::Number(n) => short(*n),
-        Given::Bool(b) => b.to_string(),
-        Given::Triple(t) => format!("({})", triple(Vec3::from(*t))),
+        DecisionValue::Number(n) => short(*n),
+        DecisionValue::Bool(b) => b.to_string(),
+        DecisionValue::Triple(t) => format!("({})", triple(Vec3::from(*t))),
     })
 }
 

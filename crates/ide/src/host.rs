@@ -8,7 +8,7 @@ use scenelang_lang::db::{Analysis, Cancelled};
 use scenelang_lang::hir::Meanings;
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{ReadLayout, file as layout_file};
-use scenelang_verify::{Explain, Verdict};
+use scenelang_verify::{CheckVerdict, Explain};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -35,7 +35,7 @@ struct Known {
     /// What follows from these, as far as somebody asked.
     compiled: Arc<Memo<Compiled>>,
     judged: Arc<Memo<Judged>>,
-    explained: Arc<Memo<Verdict>>,
+    explained: Arc<Memo<CheckVerdict>>,
 }
 
 /// A program as far as it can be judged.
@@ -67,7 +67,7 @@ pub struct LayoutFile {
 pub struct Judged {
     /// Rows and findings about the layout. While the program has errors, what the physical rules say is left out, since a
     /// statement that is missing may have lifted them.
-    pub verdict: Verdict,
+    pub verdict: CheckVerdict,
     /// The program that was judged by.
     pub compiled: Arc<Compiled>,
 }
@@ -241,7 +241,7 @@ impl Snapshot {
     ///
     /// # Errors
     /// [`Cancelled`]: the text has changed.
-    pub fn explained(&self) -> Result<Option<Arc<Verdict>>, Cancelled> {
+    pub fn explained(&self) -> Result<Option<Arc<CheckVerdict>>, Cancelled> {
         let Some(layout) = self.known.layout.as_ref().filter(|l| l.read.usable) else { return Ok(None) };
         self.known
             .explained

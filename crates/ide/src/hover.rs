@@ -10,7 +10,7 @@ use scenelang_lang::ast::{Stmt, StmtKind};
 use scenelang_lang::chunk::cut;
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::LocalKind;
-use scenelang_lang::items::{ItemKind, Place};
+use scenelang_lang::items::{ItemKind, Located};
 use scenelang_lang::library;
 use scenelang_lang::natives::{self, Signature};
 use scenelang_lang::program::{ObjectId, Program, RegionId};
@@ -75,7 +75,7 @@ fn of_name(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<String>, Can
             let meanings = snapshot.meanings()?;
             let Some(span) = meanings.defined.get(predicate) else { return Ok(None) };
             let other = snapshot.analysis().meanings(span.file)?;
-            let own = |(place, _): &&(Place<'_>, _)| matches!(&place.stmt.kind, StmtKind::Predicate { name, .. } if name.text == *predicate);
+            let own = |(place, _): &&(Located<'_>, _)| matches!(&place.stmt.kind, StmtKind::Predicate { name, .. } if name.text == *predicate);
             other.statements.iter().find(own).map(|(place, _)| {
                 let text = snapshot.sources().get(span.file).slice(place.stmt.range.shifted(place.offset));
                 format!("{}{}", code(text), documentation(place.stmt))
@@ -152,7 +152,7 @@ fn of_item(snapshot: &Snapshot, item: &str, kind: ItemKind) -> Result<String, Ca
     let mut head = item.to_owned();
     if let Some(span) = meanings.declared.get(item) {
         let other = snapshot.analysis().meanings(span.file)?;
-        let own = |(place, _): &&(Place<'_>, _)| {
+        let own = |(place, _): &&(Located<'_>, _)| {
             place
                 .span(place.stmt.range)
                 .is_some_and(|s| s.range.start <= span.range.start && span.range.end <= s.range.end)

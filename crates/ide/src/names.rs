@@ -4,7 +4,7 @@ use scenelang_base::{FileId, TextRange};
 use scenelang_lang::ast::{ExprId, ExprKind, StmtKind};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::hir::{Hir, LocalKind, Meanings, Resolution};
-use scenelang_lang::items::{ItemKind, Place};
+use scenelang_lang::items::{ItemKind, Located};
 use scenelang_lang::natives;
 use scenelang_lang::token::{Kind, lex};
 use scenelang_lang::types::Ty;
@@ -130,7 +130,7 @@ impl Items {
 }
 
 /// The name that a statement declares, and what it is.
-pub(crate) fn declared_kind(place: &Place<'_>) -> Option<(SmolStr, ItemKind)> {
+pub(crate) fn declared_kind(place: &Located<'_>) -> Option<(SmolStr, ItemKind)> {
     use scenelang_lang::ast::TypeWord;
     let StmtKind::Declare { ty, name, size, .. } = &place.stmt.kind else { return None };
     let count = size.and_then(|id| scenelang_lang::items::whole_number(place.stmt, id)).unwrap_or(1.0);
@@ -144,7 +144,7 @@ pub(crate) fn declared_kind(place: &Place<'_>) -> Option<(SmolStr, ItemKind)> {
 }
 
 struct Statement<'a> {
-    place: Place<'a>,
+    place: Located<'a>,
     hir: &'a Hir,
     items: &'a Items,
     text: &'a str,

@@ -13,7 +13,7 @@ use std::path::Path;
 
 /// A place to go to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Target {
+pub enum NavigationTarget {
     /// In a file of the program: the name, and all of its statement.
     File(Span, TextRange),
     /// In a file of the standard library (an index into [`library::FILES`]): the name, and all of its statement.
@@ -25,7 +25,7 @@ pub enum Target {
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn definition(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, Target)>, Cancelled> {
+pub fn definition(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled> {
     if let Some(found) = import_at(snapshot, offset)? {
         return Ok(Some(found));
     }
@@ -42,7 +42,7 @@ pub fn definition(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange,
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn declaration(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, Target)>, Cancelled> {
+pub fn declaration(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled> {
     if let Some(found) = import_at(snapshot, offset)? {
         return Ok(Some(found));
     }
@@ -55,7 +55,7 @@ pub fn declaration(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange
 ///
 /// # Errors
 /// [`Cancelled`]: the text has changed.
-pub fn type_definition(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, Target)>, Cancelled> {
+pub fn type_definition(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled> {
     let Some(name) = names::name_at(snapshot, snapshot.main(), offset)? else { return Ok(None) };
     let target = match &name.symbol {
         Symbol::Item(item, ItemKind::Object | ItemKind::Array(_)) => assignment_of(snapshot, item, Some("category"))?,
@@ -99,7 +99,7 @@ pub fn highlights(snapshot: &Snapshot, offset: u32) -> Result<Vec<(TextRange, Ro
 }
 
 /// The place where a name is declared, defined or bound.
-pub(crate) fn declared(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<Target>, Cancelled> {
+pub(crate) fn declared(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<NavigationTarget>, Cancelled> {
     let meanings = snapshot.meanings()?;
     let span = match &name.symbol {
         Symbol::Item(item, _) => meanings.declared.get(item).copied(),
@@ -112,7 +112,7 @@ pub(crate) fn declared(snapshot: &Snapshot, name: &Occurrence) -> Result<Option<
         _ => None,
     };
     Ok(match span {
-        Some(span) => Some(Target::File(span, statement_around(snapshot, span)?)),
+        Some(span) => Some(NavigationTarget::File(span, statement_around(snapshot, span)?)),
         None => None,
     })
 }
@@ -126,11 +126,11 @@ fn statement_around(snapshot: &Snapshot, span: Span) -> Result<TextRange, Cancel
 }
 
 /// The definition of a predicate of the library.
-fn in_library(name: &str) -> Option<Target> {
+fn in_library(name: &str) -> Option<NavigationTarget> {
     library::parsed().iter().enumerate().find_map(|(file, parsed)| {
         parsed.statements.iter().find_map(|(offset, stmt)| match &stmt.kind {
             StmtKind::Predicate { name: own, .. } if own.text == name => {
-                Some(Target::Library(file, own.range.shifted(*offset), stmt.range.shifted(*offset)))
+                Some(NavigationTarget::Library(file, own.range.shifted(*offset), stmt.range.shifted(*offset)))
             }
             _ => None,
         })
@@ -138,7 +138,11 @@ fn in_library(name: &str) -> Option<Target> {
 }
 
 /// The statement that assigns a variable, or a property of a thing.
-fn assignment_of(snapshot: &Snapshot, item: &str, property: Option<&str>) -> Result<Option<Target>, Cancelled> {
+fn assignment_of(
+    snapshot: &Snapshot,
+    item: &str,
+    property: Option<&str>,
+) -> Result<Option<NavigationTarget>, Cancelled> {
     for (id, _) in snapshot.sources().iter() {
         for (place, _) in &snapshot.analysis().meanings(id)?.statements {
             let StmtKind::Assign { name, path, target, .. } = &place.stmt.kind else { continue };
@@ -147,7 +151,7 @@ fn assignment_of(snapshot: &Snapshot, item: &str, property: Option<&str>) -> Res
                 && assigned == property
                 && let Some(span) = place.span(*target)
             {
-                return Ok(Some(Target::File(span, place.stmt.range.shifted(place.offset))));
+                return Ok(Some(NavigationTarget::File(span, place.stmt.range.shifted(place.offset))));
             }
         }
     }
@@ -155,7 +159,7 @@ fn assignment_of(snapshot: &Snapshot, item: &str, property: Option<&str>) -> Res
 }
 
 /// What the variable of a quantifier goes through.
-fn domain_of(snapshot: &Snapshot, statement: u32, index: usize) -> Result<Option<Target>, Cancelled> {
+fn domain_of(snapshot: &Snapshot, statement: u32, index: usize) -> Result<Option<NavigationTarget>, Cancelled> {
     let meanings = snapshot.meanings()?;
     let Some((place, hir)) = meanings.statements.iter().find(|(place, _)| place.offset == statement) else {
         return Ok(None);
@@ -169,16 +173,17 @@ fn domain_of(snapshot: &Snapshot, statement: u32, index: usize) -> Result<Option
     if let ExprKind::Name(name) = &place.stmt.expr(domain).kind
         && let Some(span) = meanings.declared.get(name)
     {
-        return Ok(Some(Target::File(*span, statement_around(snapshot, *span)?)));
+        return Ok(Some(NavigationTarget::File(*span, statement_around(snapshot, *span)?)));
     }
     let whole = place.span(place.stmt.expr(domain).range);
-    Ok(whole.map(|span| Target::File(span, place.stmt.range.shifted(place.offset))))
+    Ok(whole.map(|span| NavigationTarget::File(span, place.stmt.range.shifted(place.offset))))
 }
 
 /// The import at an offset: its path with the quotation marks, and the file.
-fn import_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, Target)>, Cancelled> {
+fn import_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled> {
     let found = imports(snapshot)?.into_iter().find(|(range, _)| range.start <= offset && offset <= range.end);
-    Ok(found.map(|(range, file)| (range, Target::File(TextRange::empty(0).in_file(file), TextRange::empty(0)))))
+    Ok(found
+        .map(|(range, file)| (range, NavigationTarget::File(TextRange::empty(0).in_file(file), TextRange::empty(0)))))
 }
 
 /// The imports of the main file that could be read: paths with their quotation marks, and files.

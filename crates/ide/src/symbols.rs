@@ -5,7 +5,7 @@ use crate::names::declared_kind;
 use scenelang_base::{FileId, TextRange};
 use scenelang_lang::ast::StmtKind;
 use scenelang_lang::db::Cancelled;
-use scenelang_lang::items::{ItemKind, Place};
+use scenelang_lang::items::{ItemKind, Located};
 use scenelang_lang::parse::parse_file;
 
 /// What a symbol is.
@@ -56,11 +56,11 @@ pub fn outline(snapshot: &Snapshot, file: FileId) -> Result<Vec<Entry>, Cancelle
 /// Declarations of a text by itself.
 pub fn declarations(text: &str) -> Vec<Entry> {
     let parsed = parse_file(text);
-    let places = parsed.statements.iter().map(|(offset, stmt)| Place { file: None, offset: *offset, stmt });
+    let places = parsed.statements.iter().map(|(offset, stmt)| Located { file: None, offset: *offset, stmt });
     places.filter_map(|place| entry(&place, text, false)).collect()
 }
 
-fn entry(place: &Place<'_>, text: &str, constraints: bool) -> Option<Entry> {
+fn entry(place: &Located<'_>, text: &str, constraints: bool) -> Option<Entry> {
     let stmt = place.stmt;
     let range = stmt.range.shifted(place.offset);
     let slice = |r: TextRange| text.get(r.shifted(place.offset).bytes()).unwrap_or_default();

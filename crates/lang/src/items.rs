@@ -10,7 +10,7 @@ use smol_str::SmolStr;
 
 /// A statement and where it stands.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<'a> {
+pub struct Located<'a> {
     /// The file; `None`: the library.
     pub file: Option<FileId>,
     /// Byte offset of the statement's text in its file.
@@ -19,7 +19,7 @@ pub struct Place<'a> {
     pub stmt: &'a Stmt,
 }
 
-impl Place<'_> {
+impl Located<'_> {
     /// A range of the statement as a place in the file. Library statements have no place in the user's files.
     pub fn span(&self, range: TextRange) -> Option<Span> {
         Some(range.shifted(self.offset).in_file(self.file?))
@@ -30,7 +30,7 @@ impl Place<'_> {
 #[derive(Clone, Debug)]
 pub struct Item<'a> {
     /// The declaration.
-    pub place: Place<'a>,
+    pub place: Located<'a>,
     /// The declared name.
     pub span: Span,
     /// What it is.
@@ -66,7 +66,7 @@ impl ItemKind {
 #[derive(Clone, Copy, Debug)]
 pub struct Predicate<'a> {
     /// Its definition.
-    pub place: Place<'a>,
+    pub place: Located<'a>,
     /// Its name.
     pub name: &'a SmolStr,
     /// Its parameters.
@@ -77,7 +77,7 @@ pub struct Predicate<'a> {
 
 impl<'a> Predicate<'a> {
     /// The predicate that a statement defines.
-    pub(crate) fn of(place: Place<'a>) -> Option<Self> {
+    pub(crate) fn of(place: Located<'a>) -> Option<Self> {
         let StmtKind::Predicate { name, params, body } = &place.stmt.kind else { return None };
         Some(Self { place, name: &name.text, params, body: *body })
     }
@@ -91,7 +91,7 @@ impl<'a> Predicate<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment<'a> {
     /// The statement.
-    pub place: Place<'a>,
+    pub place: Located<'a>,
     /// Its right side.
     pub value: ExprId,
     /// All of the target.
@@ -166,7 +166,7 @@ impl<'a> Items<'a> {
     pub(crate) fn new(
         table: &'a NameTable,
         assigned: &FxHashMap<AssignKey, At>,
-        place: impl Fn(At) -> Place<'a>,
+        place: impl Fn(At) -> Located<'a>,
     ) -> Self {
         let item = |(name, (kind, at)): (&SmolStr, &(ItemKind, At))| {
             let place = place(*at);

@@ -1,7 +1,7 @@
 //! The standard library: predicates written in the language, shipped inside the binary, and the table of usual sizes.
 
 use crate::ast::StmtKind;
-use crate::items::{Place, Predicate, PredicateHead, head_of};
+use crate::items::{Located, Predicate, PredicateHead, head_of};
 use crate::parse::{ParsedFile, parse_file};
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -36,7 +36,7 @@ pub fn predicates() -> &'static FxHashMap<SmolStr, Predicate<'static>> {
     static PREDICATES: OnceLock<FxHashMap<SmolStr, Predicate<'static>>> = OnceLock::new();
     PREDICATES.get_or_init(|| {
         let statements = parsed().iter().flat_map(|f| &f.statements);
-        let places = statements.map(|(offset, stmt)| Place { file: None, offset: *offset, stmt });
+        let places = statements.map(|(offset, stmt)| Located { file: None, offset: *offset, stmt });
         places.filter_map(Predicate::of).map(|p| (p.name.clone(), p)).collect()
     })
 }

@@ -208,14 +208,14 @@ impl BuiltIn {
 }
 
 /// The words that `clear` takes for a side.
-pub const SIDES: &[(&str, crate::program::Side)] = {
-    use crate::program::Side;
+pub const SIDES: &[(&str, crate::program::ObjectSide)] = {
+    use crate::program::ObjectSide;
     &[
-        ("front", Side::Front),
-        ("behind", Side::Behind),
-        ("left", Side::Left),
-        ("right", Side::Right),
-        ("above", Side::Above),
+        ("front", ObjectSide::Front),
+        ("behind", ObjectSide::Behind),
+        ("left", ObjectSide::Left),
+        ("right", ObjectSide::Right),
+        ("above", ObjectSide::Above),
     ]
 };
 

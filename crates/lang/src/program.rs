@@ -560,7 +560,7 @@ pub enum Arg {
     /// A number or a vector.
     Value(NodeId),
     /// A side, of `clear`.
-    Side(Side),
+    Side(ObjectSide),
 }
 
 /// What can be read of an object.
@@ -692,7 +692,7 @@ pub enum Function {
 
 /// A side of an object, in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum ObjectSide {
     /// Local +z.
     Front,
     /// Local −z.

@@ -69,7 +69,7 @@ pub enum Class {
 
 /// A kind of token: how it is written, and what it is to a reader.
 #[derive(Debug)]
-pub struct Row {
+pub struct TokenRow {
     /// The kind.
     pub kind: Kind,
     /// What it is to a reader.
@@ -102,7 +102,7 @@ macro_rules! tokens {
         }
 
         /// All kinds, in the order of [`Kind`].
-        pub const TABLE: &[Row] = &[$(Row {
+        pub const TABLE: &[TokenRow] = &[$(TokenRow {
             kind: Kind::$kind,
             class: Class::$class,
             spellings: &[$($($spelling),+)?],
@@ -221,7 +221,7 @@ tokens! {
 
 impl Kind {
     /// Its row in the table.
-    pub fn row(self) -> &'static Row {
+    pub fn row(self) -> &'static TokenRow {
         &TABLE[self as usize]
     }
     /// What it is to a reader.

@@ -18,14 +18,14 @@ pub const MARK: &str = "Measured:";
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Template {
     /// Its pieces, in order.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<TemplatePiece>,
     /// The names that it speaks of, each once.
     pub names: Vec<SmolStr>,
 }
 
 /// A piece of a template.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Piece {
+pub enum TemplatePiece {
     /// Text as it stands.
     Text(String),
     /// A name by itself: an index into [`Template::names`].
@@ -94,7 +94,7 @@ impl Template {
             template.placeholder(inside)?;
             rest = after;
         }
-        let values = template.pieces.iter().filter(|p| matches!(p, Piece::Value { .. })).count();
+        let values = template.pieces.iter().filter(|p| matches!(p, TemplatePiece::Value { .. })).count();
         if values == 1 {
             Ok(template)
         } else {
@@ -107,14 +107,14 @@ impl Template {
             return Err("a `}` without its `{`".to_owned());
         }
         if !text.is_empty() {
-            self.pieces.push(Piece::Text(text.to_owned()));
+            self.pieces.push(TemplatePiece::Text(text.to_owned()));
         }
         Ok(())
     }
 
     fn placeholder(&mut self, inside: &str) -> Result<(), String> {
         if let Some((first, second)) = inside.split_once('|') {
-            self.pieces.push(Piece::Choice([first.trim(), second.trim()].map(str::to_owned)));
+            self.pieces.push(TemplatePiece::Choice([first.trim(), second.trim()].map(str::to_owned)));
             return Ok(());
         }
         let (sum, plain) = match inside.split_once(':') {
@@ -125,7 +125,7 @@ impl Template {
         let sum = sum.trim();
         if is_name(sum) && sum != "value" && !plain {
             let name = self.name(sum);
-            self.pieces.push(Piece::Name(name));
+            self.pieces.push(TemplatePiece::Name(name));
             return Ok(());
         }
         let (mut terms, mut values, mut minus) = (Vec::new(), 0, false);
@@ -150,7 +150,7 @@ impl Template {
         if values != 1 || expected {
             return Err(format!("`{{{inside}}}`, which is neither a name nor a sum with `value`"));
         }
-        self.pieces.push(Piece::Value { terms, plain });
+        self.pieces.push(TemplatePiece::Value { terms, plain });
         Ok(())
     }
 
@@ -165,11 +165,11 @@ impl Template {
     pub fn fits(&self, named: &[Named]) -> bool {
         let is_number = |i: usize| matches!(named.get(i), Some(Named::Constant(..) | Named::Node(..)));
         self.pieces.iter().all(|piece| match piece {
-            Piece::Value { terms, .. } => terms.iter().all(|(_, term)| match term {
+            TemplatePiece::Value { terms, .. } => terms.iter().all(|(_, term)| match term {
                 Term::Number(_) => true,
                 Term::Name(i) => is_number(*i),
             }),
-            Piece::Text(_) | Piece::Name(_) | Piece::Choice(_) => true,
+            TemplatePiece::Text(_) | TemplatePiece::Name(_) | TemplatePiece::Choice(_) => true,
         })
     }
 }
@@ -221,14 +221,17 @@ mod tests {
         assert_eq!(
             template.pieces,
             [
-                Piece::Text("the back of ".into()),
-                Piece::Name(0),
-                Piece::Text(" is ".into()),
-                Piece::Value { terms: vec![(false, Term::Name(1)), (true, Term::Number("0.5".into()))], plain: false },
-                Piece::Text(" ".into()),
-                Piece::Choice(["beyond".into(), "short of".into()]),
-                Piece::Text(" the wall of ".into()),
-                Piece::Name(2),
+                TemplatePiece::Text("the back of ".into()),
+                TemplatePiece::Name(0),
+                TemplatePiece::Text(" is ".into()),
+                TemplatePiece::Value {
+                    terms: vec![(false, Term::Name(1)), (true, Term::Number("0.5".into()))],
+                    plain: false
+                },
+                TemplatePiece::Text(" ".into()),
+                TemplatePiece::Choice(["beyond".into(), "short of".into()]),
+                TemplatePiece::Text(" the wall of ".into()),
+                TemplatePiece::Name(2),
             ]
         );
         assert!(template.fits(&[
@@ -239,7 +242,7 @@ mod tests {
         assert!(!template.fits(&[Named::Object(ObjectId(0)), Named::Object(ObjectId(1)), Named::Region(RegionId(0))]));
         assert_eq!(
             Template::parse("{value:plain} times").unwrap().pieces[0],
-            Piece::Value { terms: vec![], plain: true }
+            TemplatePiece::Value { terms: vec![], plain: true }
         );
     }
 

@@ -17,7 +17,7 @@ pub mod sweep;
 
 pub use convex::{Convex, Face, Geometry, Nearest};
 pub use file::{Document, Places, ReadLayout};
-pub use model::{Joint, Layout, Motion, Part, Placement, RegionPlacement, Value, Vec3};
+pub use model::{DecisionValue, Joint, Layout, Motion, Part, Placement, RegionPlacement, Vec3};
 pub use obb::Obb;
 pub use planar::Vec2;
 pub use polygon::{Clearance, NotSimple, Polygon};

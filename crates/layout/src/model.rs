@@ -23,7 +23,7 @@ pub struct Layout {
     /// Placed regions by name.
     pub regions: Vec<(SmolStr, RegionPlacement)>,
     /// Values of decision variables.
-    pub variables: Vec<(SmolStr, Value)>,
+    pub variables: Vec<(SmolStr, DecisionValue)>,
     /// Recorded draws by key.
     pub draws: Vec<(String, f64)>,
 }
@@ -163,7 +163,7 @@ pub struct RegionPlacement {
 
 /// The value of a decision variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
+pub enum DecisionValue {
     /// Number or Degree.
     Number(f64),
     /// Bool.

@@ -29,4 +29,4 @@ pub use session::{Limits, Session};
 pub use tape::Replay;
 
 #[cfg(feature = "providers")]
-pub use provider::{Key, Reach, Remote, Target, Web, connect, providers};
+pub use provider::{Key, ModelName, Reach, Remote, Web, connect, providers};

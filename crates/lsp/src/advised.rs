@@ -8,11 +8,11 @@ use scenelang_lang::program::ObjectId;
 use scenelang_layout::Layout;
 use scenelang_solve::{
     Bounds, Concern, ModelProposer, Move, Options, Placed, Pose, Problem, Proposal, Proposer, Relaxer, Selector, Steps,
-    View, What, solve_with,
+    TermSubject, View, solve_with,
 };
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::RowRef;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use std::ops::ControlFlow;
 
 /// What a language model makes of the layout, the moves that less is violated with; `None`: there is no model. Nobody else
@@ -98,15 +98,15 @@ struct Only<'a> {
 impl Selector for Only<'_> {
     fn select(&mut self, _: &View<'_>, unsatisfied: &[Concern], k: usize) -> Vec<usize> {
         let named = |id: &ObjectId| self.program.objects.get(id.0 as usize).map(|o| &o.name);
-        let is = |target: &RowRef, what: &What| match (target.subject, what) {
-            (Subject::Statement(index), What::Stated(stated)) => index == *stated,
-            (Subject::Pair(a, b), What::Collision(x, y)) => {
+        let is = |target: &RowRef, what: &TermSubject| match (target.subject, what) {
+            (Subject::Statement(index), TermSubject::Stated(stated)) => index == *stated,
+            (Subject::Pair(a, b), TermSubject::Collision(x, y)) => {
                 let pair = [named(&a), named(&b)];
                 pair == [Some(x), Some(y)] || pair == [Some(y), Some(x)]
             }
-            (Subject::Object(a), What::Bounds(x)) => target.kind == Kind::Bounds && named(&a) == Some(x),
-            (Subject::Part(a, _), What::Open(x, _)) => named(&a) == Some(x),
-            (Subject::Object(a), What::Support(x)) => target.kind == Kind::Support && named(&a) == Some(x),
+            (Subject::Object(a), TermSubject::Bounds(x)) => target.kind == RowKind::Bounds && named(&a) == Some(x),
+            (Subject::Part(a, _), TermSubject::Open(x, _)) => named(&a) == Some(x),
+            (Subject::Object(a), TermSubject::Support(x)) => target.kind == RowKind::Support && named(&a) == Some(x),
             _ => false,
         };
         let wanted = |concern: &Concern| self.targets.iter().any(|target| is(target, &concern.what));

@@ -2,14 +2,14 @@
 
 use crate::alternatives::alternatives;
 use crate::dispatch::{Fault, params};
-use crate::jobs::{Job, Outcome};
+use crate::jobs::{Job, JobOutcome};
 use crate::repair::{self, Wanted};
 use crate::state::State;
 use scenelang_lang::program::{Object, ObjectId};
 use scenelang_layout::Layout;
 use scenelang_solve::Phase;
 use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange, too_large};
-use scenelang_verify::Verdict;
+use scenelang_verify::CheckVerdict;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Id;
@@ -108,17 +108,17 @@ impl State {
 }
 
 /// How many constraints hold, of how many.
-pub fn count(verdict: &Verdict) -> [usize; 2] {
+pub fn count(verdict: &CheckVerdict) -> [usize; 2] {
     [verdict.rows.iter().filter(|row| row.satisfied == Some(true)).count(), verdict.rows.len()]
 }
 
 /// Judges the layout as it is.
-fn check(job: &Job) -> Result<Outcome, Fault> {
+fn check(job: &Job) -> Result<JobOutcome, Fault> {
     let layout = job.layout.as_ref().filter(|l| l.read.usable);
     let layout = layout.ok_or_else(|| Fault::Failed("there is no layout to check; solve first".to_owned()))?;
     let verdict = job.verdict(&layout.read.layout, 0);
     let count @ [holds, total] = count(&verdict);
-    Ok(Outcome { layout: None, edit: None, message: format!("{holds} of {total} hold"), count })
+    Ok(JobOutcome { layout: None, edit: None, message: format!("{holds} of {total} hold"), count })
 }
 
 /// Where solving begins.
@@ -170,7 +170,7 @@ fn layout_of(job: &Job) -> Option<&Layout> {
 
 /// Looks for a layout. Without a seed, that of the layout that is there counts; whoever wants another room gets that of the
 /// next seed.
-fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<Outcome, Fault> {
+fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<JobOutcome, Fault> {
     if let Some(finding) = too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
@@ -213,12 +213,12 @@ fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<Outc
     let change = job.change(Some(&edit), &[], "");
     let same = if change.is_none() && edit.old.is_some() { ", with everything where it was" } else { "" };
     let message = format!("solved: {holds} of {total} hold{same}{without}");
-    Ok(Outcome { layout: Some(edit), edit: change, message, count })
+    Ok(JobOutcome { layout: Some(edit), edit: change, message, count })
 }
 
 /// Finds a place for an object, or for the elements of an array, that the layout does not have yet; all others stay where
 /// they are.
-fn place(job: &Job, object: &str) -> Result<Outcome, Fault> {
+fn place(job: &Job, object: &str) -> Result<JobOutcome, Fault> {
     let program = &job.compiled.program;
     if let Some(finding) = too_large(program) {
         return Err(Fault::Failed(finding.message));
@@ -261,7 +261,7 @@ fn place(job: &Job, object: &str) -> Result<Outcome, Fault> {
     let edit = job.layout_edit(&after)?;
     let message = format!("placed `{object}`: {holds} of {total} hold");
     let change = job.change(Some(&edit), &[], &message);
-    Ok(Outcome { layout: Some(edit), edit: change, message, count })
+    Ok(JobOutcome { layout: Some(edit), edit: change, message, count })
 }
 
 /// Tells how far the solver is, and ends it when nobody wants the result.

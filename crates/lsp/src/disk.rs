@@ -3,7 +3,7 @@
 
 use crate::reading::Reading;
 use crate::text::Text;
-use scenelang_analysis::Found;
+use scenelang_analysis::FileSettings;
 use scenelang_base::door::{Door, Named};
 use scenelang_lang::sources::{Loader, normal};
 use std::collections::BTreeMap;
@@ -119,8 +119,8 @@ impl Loader for Reach {
 }
 
 /// The settings that count for the file of a workspace.
-pub fn settings_for(door: &Door, loader: &dyn Loader) -> Found {
-    Found::of(door, loader, crate::documents::name_of)
+pub fn settings_for(door: &Door, loader: &dyn Loader) -> FileSettings {
+    FileSettings::of(door, loader, crate::documents::name_of)
 }
 
 /// What tells one state of a file from another: its time and its length; `None`: there is none.

@@ -7,7 +7,7 @@ use crate::disk::Files;
 use crate::features;
 use crate::state::State;
 use crate::text::Text;
-use scenelang_analysis::Found;
+use scenelang_analysis::FileSettings;
 use scenelang_base::{FileId, TextRange};
 use scenelang_export::scene::Memory;
 use scenelang_ide::{Cancelled, Snapshot};
@@ -35,7 +35,7 @@ pub struct Context {
     /// Where its layout is, or would be.
     pub layout: Option<PathBuf>,
     /// The settings of its workspace.
-    pub settings: Arc<Found>,
+    pub settings: Arc<FileSettings>,
     /// Which of its verdicts is asked for.
     pub generation: u64,
     /// What the client can.

@@ -8,7 +8,7 @@ use crate::reading::Reading;
 use crate::shelf::{Shelf, Shelved};
 use crate::state::{Event, State, guarded};
 use crate::text::{Encoding, Text};
-use scenelang_analysis::Found;
+use scenelang_analysis::FileSettings;
 use scenelang_base::door::Door;
 use scenelang_export::scene::Memory;
 use scenelang_ide::Host;
@@ -24,7 +24,7 @@ use tower_lsp::ls_types::Uri;
 const FRESH: Duration = Duration::from_secs(2);
 
 /// A document that the editor has open.
-pub struct Document {
+pub struct OpenDocument {
     /// As the editor calls it.
     pub uri: Uri,
     /// Where it is.
@@ -34,17 +34,17 @@ pub struct Document {
     /// Its text.
     pub text: Arc<Text>,
     /// What can be said of it, if it is a program.
-    pub scene: Option<Scene>,
+    pub scene: Option<OpenScene>,
 }
 
 /// An open program with its layout.
-pub struct Scene {
+pub struct OpenScene {
     /// What is known of it.
     pub host: Host,
     /// Where its layout is, or would be.
     pub layout: Option<PathBuf>,
     /// The settings of its workspace.
-    pub settings: Arc<Found>,
+    pub settings: Arc<FileSettings>,
     /// The text is newer than what the host knows.
     pub stale_text: bool,
     /// The layout, or the settings, are newer than what the host knows.
@@ -86,7 +86,7 @@ pub struct Scene {
 /// All open documents by their address.
 #[derive(Default)]
 pub struct Documents {
-    open: BTreeMap<String, Document>,
+    open: BTreeMap<String, OpenDocument>,
     /// Texts that the editor was given to write into files, and has not said since what became of them.
     assumed: BTreeMap<PathBuf, Arc<Text>>,
     /// The last generation of any program.
@@ -113,7 +113,7 @@ impl Documents {
         self.assumed.remove(&path);
         let text = Arc::new(Text::new(text));
         let key = uri.as_str().to_owned();
-        self.open.insert(key.clone(), Document { uri, path: path.clone(), version, text, scene: None });
+        self.open.insert(key.clone(), OpenDocument { uri, path: path.clone(), version, text, scene: None });
         if !is_data(&path, language) {
             self.openings += 1;
             let document = &self.open[&key];
@@ -121,7 +121,7 @@ impl Documents {
             // What it imports is read soon.
             let host = Host::new(&name, &path, document.text.as_str(), &Shelved::new(None, &BTreeMap::new()));
             let layout = if is_file(&document.uri) { layout_of(&path, config) } else { None };
-            let scene = Scene {
+            let scene = OpenScene {
                 host,
                 layout,
                 settings: Arc::default(),
@@ -204,19 +204,19 @@ impl Documents {
     }
 
     /// The document of an address.
-    pub fn get(&self, uri: &str) -> Option<&Document> {
+    pub fn get(&self, uri: &str) -> Option<&OpenDocument> {
         self.open.get(uri)
     }
     /// The document of an address.
-    pub fn get_mut(&mut self, uri: &str) -> Option<&mut Document> {
+    pub fn get_mut(&mut self, uri: &str) -> Option<&mut OpenDocument> {
         self.open.get_mut(uri)
     }
     /// The document of a path.
-    pub fn at(&self, path: &Path) -> Option<&Document> {
+    pub fn at(&self, path: &Path) -> Option<&OpenDocument> {
         self.open.values().find(|document| document.path == path)
     }
     /// All of them.
-    pub fn iter(&self) -> impl Iterator<Item = &Document> {
+    pub fn iter(&self) -> impl Iterator<Item = &OpenDocument> {
         self.open.values()
     }
 
@@ -261,7 +261,7 @@ impl Documents {
 
     /// Brings what is known of a program up to its text and its layout, as far as that was read; has read what was not.
     pub fn sync(&mut self, uri: &str) {
-        let stale = |s: &Scene| s.stale_text || s.stale_layout;
+        let stale = |s: &OpenScene| s.stale_text || s.stale_layout;
         let Some(scene) = self.open.get(uri).and_then(|d| d.scene.as_ref()).filter(|s| stale(s)) else { return };
         if scene.unread {
             return self.fetch(uri);
@@ -269,7 +269,7 @@ impl Documents {
         let old = scene.read_at.is_none_or(|at| at.elapsed() > FRESH);
         let texts = self.files().texts;
         self.generation += 1;
-        let Some(Document { text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
+        let Some(OpenDocument { text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
         let Some(shelf) = scene.shelf.clone() else { return };
         let files = Shelved::new(Some(&shelf), &texts);
         let (stale_text, stale_layout) = (scene.stale_text, scene.stale_layout);
@@ -309,7 +309,7 @@ impl Documents {
     /// Has the files of a program read by a thread of their own, which tells the state.
     fn fetch(&mut self, uri: &str) {
         let files = self.files();
-        let Some(Document { path, text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
+        let Some(OpenDocument { path, text, scene: Some(scene), .. }) = self.open.get_mut(uri) else { return };
         let Some(reading) = self.reading.as_ref().filter(|_| !scene.reading) else { return };
         let (events, key, path) = (reading.events(), uri.to_owned(), path.clone());
         let (text, layout, wanted, opening) = (Arc::clone(text), scene.layout.clone(), scene.wanted, scene.opening);
@@ -343,7 +343,7 @@ impl Documents {
     }
 }
 
-impl Scene {
+impl OpenScene {
     /// Whether what is known of it is older than what it is.
     pub fn is_stale(&self) -> bool {
         self.stale_text || self.stale_layout || self.unread
@@ -357,7 +357,7 @@ impl Scene {
 }
 
 /// Gives a program its layout and the settings of its workspace.
-pub fn judge_by(host: &mut Host, layout: Option<&Path>, door: &Door, files: &dyn Loader) -> Arc<Found> {
+pub fn judge_by(host: &mut Host, layout: Option<&Path>, door: &Door, files: &dyn Loader) -> Arc<FileSettings> {
     let found = settings_for(door, files);
     host.set_judging(found.judging(&Settings::default()));
     let layout = layout.map(|path| (name_of(path), path, files.load(path)));

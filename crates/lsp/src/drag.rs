@@ -3,7 +3,7 @@
 
 use crate::disk::uri_of;
 use crate::dispatch::{Fault, params};
-use crate::jobs::{LayoutEdit, Outcome};
+use crate::jobs::{JobOutcome, LayoutEdit};
 use crate::state::{Event, State, guarded};
 use crate::text::Text;
 use scenelang_base::{Edit, SourceMap, TextRange, fix};
@@ -142,7 +142,7 @@ impl State {
         let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
         let message = format!("move {object}");
         let edit = (!edits.is_empty()).then_some(edit);
-        self.apply_with(id, Outcome { layout: Some(layout), edit, message, count: [0, 0] }, answer);
+        self.apply_with(id, JobOutcome { layout: Some(layout), edit, message, count: [0, 0] }, answer);
         Ok(())
     }
 }

@@ -15,7 +15,7 @@ use scenelang_export::scene::Memory;
 use scenelang_ide::{Compiled, LayoutFile};
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_verify::settings::Llm;
-use scenelang_verify::{Explain, Verdict};
+use scenelang_verify::{CheckVerdict, Explain};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -70,7 +70,7 @@ impl Job {
     }
 
     /// What holds in a layout of the program, as it would be read from its file.
-    pub fn verdict(&self, layout: &Layout, explain: usize) -> Verdict {
+    pub fn verdict(&self, layout: &Layout, explain: usize) -> CheckVerdict {
         let read = layout_file::read(&layout_file::to_json(layout, None), FileId(0));
         let mut options = self.judging.options;
         options.detail.explain = Explain::First(explain);
@@ -153,7 +153,7 @@ pub struct LayoutEdit {
 }
 
 /// What came of long work.
-pub struct Outcome {
+pub struct JobOutcome {
     /// The layout afterwards.
     pub layout: Option<LayoutEdit>,
     /// The change that the client is asked to make.
@@ -286,15 +286,15 @@ impl State {
     }
 
     /// Asks the client to make the change of an outcome, and answers then.
-    pub fn apply(&mut self, id: &Id, outcome: Outcome) {
+    pub fn apply(&mut self, id: &Id, outcome: JobOutcome) {
         let [holds, total] = outcome.count;
         let answer = json!({ "message": outcome.message, "holds": holds, "total": total });
         self.apply_with(id, outcome, answer);
     }
 
     /// The same with another answer.
-    pub fn apply_with(&mut self, id: &Id, outcome: Outcome, answer: Value) {
-        let Outcome { layout, edit, message, .. } = outcome;
+    pub fn apply_with(&mut self, id: &Id, outcome: JobOutcome, answer: Value) {
+        let JobOutcome { layout, edit, message, .. } = outcome;
         // An editor that makes a file makes it empty, and has what is in it in a buffer that nobody has saved.
         if layout.as_ref().is_some_and(|l| l.old.is_none()) {
             return self.write(id, layout, answer);

@@ -40,7 +40,7 @@ mod trace;
 mod wire;
 
 pub use client::Named;
-pub use model::{Asked, Connect};
+pub use model::{Connect, ModelQuestion};
 pub use record::{Recorder, replay};
 pub use state::Setup;
 pub use wire::serve;

@@ -14,10 +14,10 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 /// A model, and how it is asked.
-pub type Asked = (Session, Asking);
+pub type ModelQuestion = (Session, Asking);
 /// Reaches the model that the user has named, else the one that the settings of a workspace name, for a user who wants that;
 /// `None`: nobody names any.
-pub type Connect = fn(&Llm, &Named) -> Result<Option<Asked>, Error>;
+pub type Connect = fn(&Llm, &Named) -> Result<Option<ModelQuestion>, Error>;
 
 /// The longest wait for an answer of the editor's model.
 const LONGEST: Duration = Duration::from_secs(180);
@@ -39,7 +39,7 @@ impl Advisers {
     ///
     /// # Errors
     /// It cannot even be tried.
-    pub fn model(&self, settings: &Llm, progress: &Progress) -> Result<Option<Asked>, Error> {
+    pub fn model(&self, settings: &Llm, progress: &Progress) -> Result<Option<ModelQuestion>, Error> {
         let asked = match (self.client.model, self.connect) {
             (Models::None, _) | (Models::Configured, None) => None,
             (Models::Client, _) => Some((self.editor()?, Asking::default())),

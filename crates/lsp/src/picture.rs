@@ -8,7 +8,7 @@ use scenelang_export::scene::Memory;
 use scenelang_export::{Scene, SceneInput, plan, preview};
 use scenelang_lang::program::Program;
 use scenelang_layout::Layout;
-use scenelang_verify::{Options, Verdict, report};
+use scenelang_verify::{CheckVerdict, Options, report};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -29,7 +29,7 @@ pub struct Picture<'a> {
     /// The layout as a file.
     pub text: &'a str,
     /// What holds.
-    pub verdict: &'a Verdict,
+    pub verdict: &'a CheckVerdict,
     /// How that was judged.
     pub options: &'a Options,
     /// What its objects look like, as far as that is known.

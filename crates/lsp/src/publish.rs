@@ -6,7 +6,7 @@ use crate::disk::uri_of;
 use crate::dispatch::{Context, Fault};
 use crate::pages;
 use crate::text::Text;
-use scenelang_analysis::Found;
+use scenelang_analysis::FileSettings;
 use scenelang_base::{Diagnostic, FileId, Severity, TextRange, codes};
 use scenelang_ide::Cancelled;
 use scenelang_ide::diagnostics::{Finding, diagnostics};
@@ -66,7 +66,7 @@ pub fn verdict(context: &Context) -> Result<Findings, Cancelled> {
 
 /// What is wrong with the settings of the workspace.
 fn of_settings(context: &Context, marks: &mut BTreeMap<String, Vec<Value>>) {
-    let Found { file: Some(path), sources, diagnostics, .. } = &*context.settings else { return };
+    let FileSettings { file: Some(path), sources, diagnostics, .. } = &*context.settings else { return };
     let Some(uri) = context.open.get(path).cloned().or_else(|| uri_of(path)) else { return };
     let found = marks.entry(uri.as_str().to_owned()).or_default();
     let Some((file, source)) = sources.iter().next() else { return };

@@ -4,7 +4,7 @@
 use crate::advised::advised;
 use crate::commands::count;
 use crate::dispatch::Fault;
-use crate::jobs::{Job, Outcome};
+use crate::jobs::{Job, JobOutcome};
 use scenelang_base::{SourceFile, SourceMap};
 use scenelang_ide::diagnostics::margin;
 use scenelang_lang::Program;
@@ -13,11 +13,11 @@ use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
 use scenelang_solve::repair::told::title;
 use scenelang_solve::repair::{Alternative, Damaged, How, Moved, RepairOptions, Text, Which, repair as look};
-use scenelang_verify::Verdict;
+use scenelang_verify::CheckVerdict;
 use scenelang_verify::check::{Judged, Subject};
 use scenelang_verify::explain::RowRef;
 use scenelang_verify::prove::Contradiction;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 
 /// What is to be repaired.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,7 +39,7 @@ const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 ///
 /// # Errors
 /// There is nothing to repair, or no way was found.
-pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fault> {
+pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<JobOutcome, Fault> {
     if let Some(finding) = scenelang_synth::too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
@@ -50,7 +50,7 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<Outcome, Fa
     let which = which(job, wanted, &before)?;
     let targets: Vec<RowRef> = before.rows.iter().map(row_of).filter(|row| is_target(&which, row, &before)).collect();
     if targets.is_empty() {
-        return Ok(Outcome {
+        return Ok(JobOutcome {
             layout: None,
             edit: None,
             message: "nothing to repair".to_owned(),
@@ -124,7 +124,7 @@ fn row_of(row: &Judged) -> RowRef {
 }
 
 /// The rows that are meant.
-fn which(job: &Job, wanted: &Wanted, before: &Verdict) -> Result<Which, Fault> {
+fn which(job: &Job, wanted: &Wanted, before: &CheckVerdict) -> Result<Which, Fault> {
     let (Wanted::Line(line) | Wanted::Program(line)) = wanted else { return Ok(Which::All) };
     let places = job.places();
     let meant = |row: &&Judged| {
@@ -148,22 +148,28 @@ fn which(job: &Job, wanted: &Wanted, before: &Verdict) -> Result<Which, Fault> {
     }
 }
 
-fn is_target(which: &Which, row: &RowRef, before: &Verdict) -> bool {
+fn is_target(which: &Which, row: &RowRef, before: &CheckVerdict) -> bool {
     let fails = before.rows.iter().any(|r| row_of(r) == *row && r.satisfied == Some(false));
     fails
         && match which {
-            Which::All => row.kind != Kind::Prefer,
+            Which::All => row.kind != RowKind::Prefer,
             Which::Rows(rows) => rows.contains(row),
         }
 }
 
 /// What a language model makes of the layout, if that repairs what is to be repaired and breaks nothing.
-fn by_model(job: &Job, layout: &Layout, before: &Verdict, targets: &[RowRef]) -> Result<Option<Alternative>, Fault> {
+fn by_model(
+    job: &Job,
+    layout: &Layout,
+    before: &CheckVerdict,
+    targets: &[RowRef],
+) -> Result<Option<Alternative>, Fault> {
     let Some(after) = advised(job, layout, targets)? else { return Ok(None) };
     let program = &job.compiled.program;
     let verdict = job.verdict(&after, 0);
-    let holds =
-        |row: &RowRef, v: &Verdict| v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true));
+    let holds = |row: &RowRef, v: &CheckVerdict| {
+        v.rows.iter().find(|r| row_of(r) == *row).is_none_or(|r| r.satisfied == Some(true))
+    };
     let repairs = targets.iter().all(|row| holds(row, &verdict));
     let keeps = before.rows.iter().filter(|r| r.satisfied == Some(true)).all(|r| holds(&row_of(r), &verdict));
     // A physical rule is listed only where it fails.
@@ -202,7 +208,13 @@ fn moved(program: &Program, from: &Layout, to: &Layout) -> Vec<Moved> {
 const PROPOSED: &str = "proposed by the language model: ";
 
 /// A change, judged once more as it will be, with words about it.
-fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative, by: &str) -> Result<Outcome, Fault> {
+fn offer(
+    job: &Job,
+    layout: &Layout,
+    before: &CheckVerdict,
+    chosen: &Alternative,
+    by: &str,
+) -> Result<JobOutcome, Fault> {
     let after = verified(job, chosen)?;
     let changes_layout = !chosen.moves.is_empty() || !chosen.also.is_empty() || *layout != chosen.layout;
     let edit = if changes_layout { Some(job.layout_edit(&chosen.layout)?) } else { None };
@@ -210,11 +222,11 @@ fn offer(job: &Job, layout: &Layout, before: &Verdict, chosen: &Alternative, by:
     let margins = margins(&job.compiled.program, before, &after);
     let note = if margins.is_empty() { message } else { format!("{message}\n{}", margins.join("\n")) };
     let change = job.change(edit.as_ref(), &chosen.edits, &note);
-    Ok(Outcome { layout: edit, edit: change, message: note, count: count(&after) })
+    Ok(JobOutcome { layout: edit, edit: change, message: note, count: count(&after) })
 }
 
 /// What holds after a change of layout and program.
-fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
+fn verified(job: &Job, chosen: &Alternative) -> Result<CheckVerdict, Fault> {
     if chosen.edits.is_empty() {
         return Ok(job.verdict(&chosen.layout, 0));
     }
@@ -230,7 +242,7 @@ fn verified(job: &Job, chosen: &Alternative) -> Result<Verdict, Fault> {
 }
 
 /// Which margins a change changes, the first few: `text: −0.07 m → +0.00 m`.
-fn margins(program: &Program, before: &Verdict, after: &Verdict) -> Vec<String> {
+fn margins(program: &Program, before: &CheckVerdict, after: &CheckVerdict) -> Vec<String> {
     const MOST: usize = 6;
     const SEEN: f64 = 0.005;
     let said = |row: &Judged| {

@@ -4,7 +4,7 @@
 use crate::client::Client;
 use crate::config::Config;
 use crate::dispatch::{Context, Fault};
-use crate::documents::{Document, Documents};
+use crate::documents::{Documents, OpenDocument};
 use crate::drag::Drag;
 use crate::jobs::Running;
 use crate::model::Connect;
@@ -531,7 +531,7 @@ impl State {
     /// Has judged again whatever has changed.
     fn settle(&mut self) {
         self.abandon();
-        let stale = |d: &Document| {
+        let stale = |d: &OpenDocument| {
             d.scene.as_ref().is_some_and(|s| s.stale_text || s.stale_layout || s.generation != s.published)
         };
         let keys: Vec<String> = self.documents.iter().filter(|d| stale(d)).map(|d| d.uri.as_str().to_owned()).collect();
@@ -561,7 +561,7 @@ impl State {
     }
 
     fn judged(&mut self, key: &str, generation: u64, found: Result<Findings, Fault>) {
-        let Some(Document { uri, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
+        let Some(OpenDocument { uri, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
         scene.judging = false;
         if scene.generation != generation || scene.stale_text || scene.stale_layout {
             return;
@@ -628,7 +628,7 @@ impl State {
     /// What was proved of a program that said `meaning`.
     fn proved(&mut self, key: &str, meaning: u64, found: Result<Proofs, Fault>) {
         let encoding = self.encoding();
-        let Some(Document { text, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
+        let Some(OpenDocument { text, scene: Some(scene), .. }) = self.documents.get_mut(key) else { return };
         if scene.meaning != meaning || scene.stale_text || matches!(found, Err(Fault::Outdated)) {
             // It was asked for, and is not known of what the program says by now.
             scene.unproved = true;

@@ -7,7 +7,7 @@ use scenelang_base::{Diagnostic, Severity};
 use scenelang_formalize::{Options as Reading, overfull, read, write::write};
 use scenelang_layout::file as layout_file;
 use scenelang_solve::{End, MOST_OBJECTS, Stop};
-use scenelang_synth::{Failure, Found, Hold, Observer, PLANNED, Request, Solved, Stage, Tried, rehearsed};
+use scenelang_synth::{Failure, Hold, JudgedLayout, LayoutRequest, Observer, PLANNED, Solved, Stage, Tried, rehearsed};
 use scenelang_verify::report::statement_id;
 use scenelang_verify::{Checked, Options};
 use serde_json::{Value, json};
@@ -34,7 +34,7 @@ pub fn solve(name: &str, text: &str, start: Option<&str>, seed: u64) -> Result<V
 fn solved(name: &str, text: &str, start: Option<&str>, share: u8, seed: u64) -> Result<Value, Refused> {
     let layout_name = layout_name(name);
     let member = format!("{}.scene", stem(name));
-    let request = Request {
+    let request = LayoutRequest {
         name,
         path: Path::new(name),
         files: &Alone { name, text },
@@ -90,7 +90,7 @@ fn told(solved: &Solved) -> Value {
 }
 
 /// Statements without which the rest can hold.
-fn in_the_way(found: &Found) -> Vec<Value> {
+fn in_the_way(found: &JudgedLayout) -> Vec<Value> {
     let Checked { sources, program, report, .. } = &found.checked;
     let constraints = program.iter().flat_map(|program| &program.constraints).enumerate();
     let blamed = constraints.filter(|(index, _)| found.outcome.in_the_way.contains(index));

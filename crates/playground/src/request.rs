@@ -5,7 +5,7 @@ use serde::Deserialize;
 /// A request. Those about the open program need one.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "method", rename_all = "lowercase", deny_unknown_fields)]
-pub enum Request {
+pub enum PageRequest {
     /// Another program, without a layout, or with the text of one: what is wrong with it, and its colours.
     Open { name: String, text: String, layout: Option<String> },
     /// Another text of the program; its layout stays.

@@ -3,7 +3,7 @@
 use crate::answers;
 use crate::files::{Alone, layout_name};
 use crate::make;
-use crate::request::Request;
+use crate::request::PageRequest;
 use crate::room;
 use scenelang_export::scene::Memory;
 use scenelang_ide::{Cancelled, Host};
@@ -46,41 +46,41 @@ impl Session {
         answer.to_string().into_bytes()
     }
 
-    fn answer(&mut self, request: Request) -> Result<Value, Refused> {
+    fn answer(&mut self, request: PageRequest) -> Result<Value, Refused> {
         match request {
-            Request::Open { name, text, layout } => {
+            PageRequest::Open { name, text, layout } => {
                 let mut host = Host::new(&name, Path::new(&name), &text, &Alone { name: &name, text: &text });
                 put_layout(&mut host, &name, layout);
                 self.open = Some(Open { host, name, looks: Memory::default() });
                 answers::marks(self.open()?)
             }
-            Request::Edit { text } => {
+            PageRequest::Edit { text } => {
                 let Open { host, name, .. } = self.open_mut()?;
                 host.set_text(&text, &Alone { name, text: &text });
                 answers::marks(self.open()?)
             }
-            Request::Layout { text } => {
+            PageRequest::Layout { text } => {
                 let Open { host, name, .. } = self.open_mut()?;
                 put_layout(host, name, text);
                 answers::marks(self.open()?)
             }
-            Request::Room { known, plan } => room::shown(self.open()?, known.as_deref(), plan),
-            Request::Complete { at, asked } => answers::completion(self.open()?, at, asked),
-            Request::Describe { about } => Ok(scenelang_ide::completion::describe(&about).into()),
-            Request::Hover { at } => answers::hover(self.open()?, at),
-            Request::Format => answers::formatted(self.open()?),
-            Request::Move { object, pos, rot, commit } => {
+            PageRequest::Room { known, plan } => room::shown(self.open()?, known.as_deref(), plan),
+            PageRequest::Complete { at, asked } => answers::completion(self.open()?, at, asked),
+            PageRequest::Describe { about } => Ok(scenelang_ide::completion::describe(&about).into()),
+            PageRequest::Hover { at } => answers::hover(self.open()?, at),
+            PageRequest::Format => answers::formatted(self.open()?),
+            PageRequest::Move { object, pos, rot, commit } => {
                 let (mut answer, text) = room::moved(&self.open()?.host.snapshot(), &object, pos, rot)?;
                 if commit {
                     answer["layout"] = text.into();
                 }
                 Ok(answer)
             }
-            Request::Proofs => answers::proofs(self.open()?),
-            Request::Export { format } => room::exported(self.open()?, format),
-            Request::Solve { name, text, start, seed } => make::solve(&name, &text, start.as_deref(), seed),
-            Request::Write { text } => make::write_room(&text),
-            Request::Version => Ok(json!({ "version": env!("CARGO_PKG_VERSION") })),
+            PageRequest::Proofs => answers::proofs(self.open()?),
+            PageRequest::Export { format } => room::exported(self.open()?, format),
+            PageRequest::Solve { name, text, start, seed } => make::solve(&name, &text, start.as_deref(), seed),
+            PageRequest::Write { text } => make::write_room(&text),
+            PageRequest::Version => Ok(json!({ "version": env!("CARGO_PKG_VERSION") })),
         }
     }
 

@@ -8,10 +8,10 @@ use pyo3::prelude::*;
 use scenelang_formalize::{Options as Reading, read, write::write};
 use scenelang_layout::file as layout_file;
 use scenelang_sample::{Sampler, Settings};
-use scenelang_solve::repair::told::{Told, rows};
+use scenelang_solve::repair::told::{AlternativesReport, rows};
 use scenelang_solve::repair::{Alternative, Damaged, RepairOptions, Text, Unjudged, Which, edited, repair as look};
 use scenelang_solve::{End, MOST_OBJECTS};
-use scenelang_synth::{Failure, Found, Hold, Observer, Request, Stage, Tried, rehearsed, too_large};
+use scenelang_synth::{Failure, Hold, JudgedLayout, LayoutRequest, Observer, Stage, Tried, rehearsed, too_large};
 use scenelang_verify::Checked;
 use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use scenelang_verify::report::statement_id;
@@ -74,7 +74,7 @@ pub fn solve(
     let time = time.map_err(|_| PyValueError::new_err("time is a number of seconds, at least 0"))?;
     let solved = away(py, |stop| {
         let (layout_name, member) = (layout_name(held), member(held));
-        let request = Request {
+        let request = LayoutRequest {
             name: &held.name,
             path: &held.path,
             files: &held.files(),
@@ -123,7 +123,7 @@ pub fn solve(
 }
 
 /// Statements without which the rest can hold.
-fn in_the_way(found: &Found) -> Vec<Value> {
+fn in_the_way(found: &JudgedLayout) -> Vec<Value> {
     let Checked { sources, program, report, .. } = &found.checked;
     let constraints = program.iter().flat_map(|program| &program.constraints).enumerate();
     let blamed = constraints.filter(|(index, _)| found.outcome.in_the_way.contains(index));
@@ -169,7 +169,7 @@ pub fn repair(
         let options = RepairOptions { judge, time, stop: stop.clone(), ..RepairOptions::default() };
         let found = look(&damaged, &which, &options)
             .map_err(|Unjudged| sentence(format!("{name} cannot be checked completely; `check` says why")))?;
-        let told = Told { checked: &checked, program, name };
+        let told = AlternativesReport { checked: &checked, program, name };
         let old = layout_file::read(text, scenelang_base::FileId(0));
         let way = |way: &Alternative| -> PyResult<Value> {
             let mut after = way.layout.clone();

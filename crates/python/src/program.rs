@@ -4,7 +4,7 @@ use crate::errors::{refused, sentence};
 use crate::work::away;
 use pyo3::prelude::*;
 use scenelang_analysis::permissions::measured;
-use scenelang_analysis::{Found, Judging, Question};
+use scenelang_analysis::{FileSettings, Judging, Question};
 use scenelang_base::door::{Door, MARK};
 use scenelang_base::{Diagnostic, FileId};
 use scenelang_engine::{check_file_with, check_layout_of};
@@ -63,9 +63,9 @@ impl Held {
     }
 
     /// The settings that count for it.
-    fn settings(&self, files: &Files<'_>) -> Found {
+    fn settings(&self, files: &Files<'_>) -> FileSettings {
         let here = std::env::current_dir().unwrap_or_default();
-        Found::of(&files.door, files, |path| path.strip_prefix(&here).unwrap_or(path).display().to_string())
+        FileSettings::of(&files.door, files, |path| path.strip_prefix(&here).unwrap_or(path).display().to_string())
     }
 
     /// How layouts of it are judged.

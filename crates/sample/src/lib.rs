@@ -29,4 +29,4 @@ pub use coverage::Coverage;
 pub use dice::seed_of;
 pub use moves::Mover;
 pub use sampler::{Drawn, ENOUGH, Missing, PILOT, STARTS, Sample, Sampler, Settings, TRIES, holds};
-pub use tally::{KINDS, Kind, RULES, Tally};
+pub use tally::{KINDS, MoveKind, RULES, Tally};

@@ -3,7 +3,7 @@
 
 use crate::dice::Dice;
 use crate::places::Places;
-use crate::tally::{KINDS, Kind, Tally};
+use crate::tally::{KINDS, MoveKind, Tally};
 use crate::ties::Ties;
 use crate::walls::Walls;
 use scenelang_engine::Pose;
@@ -49,8 +49,8 @@ impl Mover {
         let (kind, ..) = KINDS[dice.pick(KINDS.iter().map(|(_, weight, _)| *weight))];
         let id = self.movable[dice.below(self.movable.len())];
         let changes = match kind {
-            Kind::Swap => self.swap(state, id, dice),
-            Kind::Pair => self.pair(state, id, dice),
+            MoveKind::Swap => self.swap(state, id, dice),
+            MoveKind::Pair => self.pair(state, id, dice),
             _ => self.ride(state, kind, id, dice),
         };
         let taken = changes.is_some_and(|changes| match state.attempt_holding(&changes) {
@@ -67,25 +67,25 @@ impl Mover {
     }
 
     /// A thing goes elsewhere, and others with it as one piece.
-    fn ride(&self, state: &Candidate<'_>, kind: Kind, id: ObjectId, dice: &mut Dice) -> Option<Vec<Change>> {
+    fn ride(&self, state: &Candidate<'_>, kind: MoveKind, id: ObjectId, dice: &mut Dice) -> Option<Vec<Change>> {
         let frame = state.frame;
         let group = self.ties.group(state, id, dice);
         let (old, fixed) = (state.pose(id), frame.fixed(id));
         let may_turn = !fixed.rot && group.iter().all(|member| turns(frame, *member));
         let mut odds = 1.0;
         let mut new = match kind {
-            Kind::Step => self.aside(&old, dice),
-            Kind::Turn if may_turn => old.facing(old.rot.y + dice.step(TURN, 180.0)),
-            Kind::Quarter if may_turn => old.facing(old.rot.y + 90.0 * (1 + dice.below(3)) as f64),
-            Kind::Place if is_free(frame, id) => {
+            MoveKind::Step => self.aside(&old, dice),
+            MoveKind::Turn if may_turn => old.facing(old.rot.y + dice.step(TURN, 180.0)),
+            MoveKind::Quarter if may_turn => old.facing(old.rot.y + 90.0 * (1 + dice.below(3)) as f64),
+            MoveKind::Place if is_free(frame, id) => {
                 let turned = if may_turn { turned(old, dice) } else { old };
                 let new = self.places.draw(state, id, &turned, &group, dice)?;
                 let [back, there] = [&old, &new].map(|pose| self.places.density(state, id, pose, &group));
                 odds = if there > 0.0 { back / there } else { 0.0 };
                 new
             }
-            Kind::Wall => self.walls.elsewhere(&old, may_turn, dice)?,
-            Kind::Lift if floats(frame, id) => {
+            MoveKind::Wall => self.walls.elsewhere(&old, may_turn, dice)?,
+            MoveKind::Lift if floats(frame, id) => {
                 let [low, high] = self.places.heights(&old)?;
                 let y = if dice.below(2) == 0 { old.pos.y + dice.step(STEP, 1.0) } else { dice.between(low, high) };
                 old.at(old.pos.x, y, old.pos.z)

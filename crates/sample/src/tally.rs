@@ -6,7 +6,7 @@ use scenelang_lang::Program;
 
 /// Kinds of moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum MoveKind {
     /// A step aside, of any size.
     Step,
     /// A turn of any size.
@@ -26,15 +26,15 @@ pub enum Kind {
 }
 
 /// All kinds, with how often each is tried, and what it is called.
-pub const KINDS: [(Kind, f64, &str); 8] = [
-    (Kind::Step, 0.32, "step"),
-    (Kind::Turn, 0.12, "turn"),
-    (Kind::Quarter, 0.08, "quarterTurn"),
-    (Kind::Place, 0.2, "anywhere"),
-    (Kind::Wall, 0.12, "alongWalls"),
-    (Kind::Lift, 0.04, "lift"),
-    (Kind::Swap, 0.06, "swap"),
-    (Kind::Pair, 0.06, "pairAnywhere"),
+pub const KINDS: [(MoveKind, f64, &str); 8] = [
+    (MoveKind::Step, 0.32, "step"),
+    (MoveKind::Turn, 0.12, "turn"),
+    (MoveKind::Quarter, 0.08, "quarterTurn"),
+    (MoveKind::Place, 0.2, "anywhere"),
+    (MoveKind::Wall, 0.12, "alongWalls"),
+    (MoveKind::Lift, 0.04, "lift"),
+    (MoveKind::Swap, 0.06, "swap"),
+    (MoveKind::Pair, 0.06, "pairAnywhere"),
 ];
 
 /// The physical rules that can refuse a move, after the statements.
@@ -60,7 +60,7 @@ impl Tally {
     }
 
     /// Counts a move.
-    pub fn tried(&mut self, kind: Kind, taken: bool) {
+    pub fn tried(&mut self, kind: MoveKind, taken: bool) {
         let at = KINDS.iter().position(|(k, ..)| *k == kind).expect("the table has all kinds");
         self.moves[at][0] += 1;
         self.moves[at][1] += u64::from(taken);

@@ -7,7 +7,7 @@
 use crate::pipeline::finish;
 use crate::pipeline::solve;
 use crate::problem::setup::Setup;
-use crate::problem::{Options, Outcome, Placed, Problem, Unsatisfied, What};
+use crate::problem::{Options, Outcome, Placed, Problem, TermSubject, Unsatisfied};
 use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
 use scenelang_lang::program::{ConstraintKind, Formula, Node, NodeId, ObjectId, Owner};
@@ -35,7 +35,7 @@ pub(crate) struct Diagnosis {
 }
 
 /// What came of all the questions, and the work that they took.
-pub(crate) struct Answer {
+pub(crate) struct DiagnosisOutcome {
     /// The diagnosis, if there is one.
     pub found: Option<Diagnosis>,
     /// Work done.
@@ -49,14 +49,14 @@ pub(crate) fn diagnose(
     setup: &Setup<'_>,
     limit: &Limit,
     (best, violated): (&Layout, &[Unsatisfied]),
-) -> Answer {
+) -> DiagnosisOutcome {
     let budget = (options.budget as f64 * SHARE) as u64;
     let mut search = Search { problem, options, setup, limit, budget, work: 0, found: None };
     search.establish(best, violated);
     search.shrink();
     search.exchange();
     search.vary();
-    Answer { found: search.found, work: search.work }
+    DiagnosisOutcome { found: search.found, work: search.work }
 }
 
 struct Search<'s, 'a> {
@@ -86,7 +86,7 @@ impl Search<'_, '_> {
         let mut removed = self.statements(violated);
         let (mut from, mut violated) = (best.clone(), violated.to_vec());
         for _ in 0..ROUNDS {
-            let physical = violated.iter().all(|u| !matches!(u.what, What::Stated(_)));
+            let physical = violated.iter().all(|u| !matches!(u.what, TermSubject::Stated(_)));
             let more = if physical { self.speaking_of(&violated) } else { self.statements(&violated) };
             let before = removed.len();
             removed.extend(more);
@@ -171,7 +171,7 @@ impl Search<'_, '_> {
         outcome.unsatisfied = finish::unsatisfied(self.setup, &outcome.layout, &self.options.judge).0;
         let all = outcome.unsatisfied.clone();
         self.learn(&outcome.layout, &all);
-        outcome.unsatisfied.retain(|u| !matches!(u.what, What::Stated(s) if removed.contains(&s)));
+        outcome.unsatisfied.retain(|u| !matches!(u.what, TermSubject::Stated(s) if removed.contains(&s)));
         outcome
     }
 
@@ -188,7 +188,7 @@ impl Search<'_, '_> {
     /// Statements that must hold and are violated.
     fn statements(&self, violated: &[Unsatisfied]) -> Vec<usize> {
         let stated = violated.iter().filter_map(|u| match u.what {
-            What::Stated(index) => Some(index),
+            TermSubject::Stated(index) => Some(index),
             _ => None,
         });
         stated.filter(|s| self.is_hard(*s)).collect()
@@ -204,10 +204,10 @@ impl Search<'_, '_> {
         let mut objects: Vec<ObjectId> = Vec::new();
         for each in violated {
             let names = match &each.what {
-                What::Stated(_) => continue,
-                What::Collision(a, b) => vec![a, b],
-                What::Bounds(a) | What::Support(a) => vec![a],
-                What::Open(a, met) => std::iter::once(a).chain(met).collect(),
+                TermSubject::Stated(_) => continue,
+                TermSubject::Collision(a, b) => vec![a, b],
+                TermSubject::Bounds(a) | TermSubject::Support(a) => vec![a],
+                TermSubject::Open(a, met) => std::iter::once(a).chain(met).collect(),
             };
             let ids = self.setup.frame.objects().filter(|id| names.iter().any(|n| *n == self.setup.frame.name(*id)));
             objects.extend(ids);

@@ -35,6 +35,6 @@ pub use pipeline::{solve, solve_with};
 pub use problem::draws::draws;
 pub use problem::pose::Pose;
 pub use problem::{
-    End, MOST_OBJECTS, Options, Outcome, Phase, Placed, Problem, Progress, QUALITY, Standing, Unsatisfied, What,
+    End, MOST_OBJECTS, Options, Outcome, Phase, Placed, Problem, Progress, QUALITY, Standing, TermSubject, Unsatisfied,
 };
 pub use scenelang_engine::limit::Stop;

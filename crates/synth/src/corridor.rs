@@ -22,12 +22,12 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// The part of the work for preferences that is done where the furniture has its places already, for [`Request::share`].
+/// The part of the work for preferences that is done where the furniture has its places already, for [`LayoutRequest::share`].
 pub const PLANNED: u8 = 20;
 
 /// What to lay out.
 #[derive(Clone, Copy)]
-pub struct Request<'a> {
+pub struct LayoutRequest<'a> {
     /// How the program is called in messages.
     pub name: &'a str,
     /// The program's file.
@@ -125,7 +125,7 @@ pub trait Observer {
 
 /// A layout, judged.
 #[derive(Debug)]
-pub struct Found {
+pub struct JudgedLayout {
     /// Where everything is, and how the solver got there; as far as it got, if it was asked to end
     /// ([`Layout::incomplete`]).
     pub outcome: Outcome,
@@ -137,7 +137,7 @@ pub struct Found {
     pub free: Free,
 }
 
-impl Found {
+impl JudgedLayout {
     /// Where everything is.
     pub fn layout(&self) -> &Layout {
         &self.outcome.layout
@@ -150,9 +150,9 @@ pub struct Solved {
     /// The program.
     pub compiled: Compiled,
     /// The layout, or what comes closest to one.
-    pub first: Found,
+    pub first: JudgedLayout,
     /// Others that differ from it, and from each other, in kind.
-    pub others: Vec<Found>,
+    pub others: Vec<JudgedLayout>,
     /// What the model had to do with it, if there was one.
     pub advice: Option<Advice>,
     /// What had no asset or no usual size.
@@ -176,7 +176,7 @@ pub struct Made {
 
 impl Solved {
     /// All layouts in order.
-    pub fn all(&self) -> impl Iterator<Item = &Found> {
+    pub fn all(&self) -> impl Iterator<Item = &JudgedLayout> {
         std::iter::once(&self.first).chain(&self.others)
     }
 }
@@ -197,7 +197,7 @@ pub enum Failure {
 ///
 /// # Errors
 /// The program does not compile or cannot hold, the layout to start from cannot be read, or the end is asked for.
-pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solved, Failure> {
+pub fn solve(request: &LayoutRequest<'_>, observer: &mut dyn Observer) -> Result<Solved, Failure> {
     solve_with(request, None, observer)
 }
 
@@ -206,7 +206,7 @@ pub fn solve(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Solve
 /// # Errors
 /// As for [`solve`]; a model that does not answer is none of them.
 pub fn solve_with(
-    request: &Request<'_>,
+    request: &LayoutRequest<'_>,
     adviser: Option<Adviser<'_>>,
     observer: &mut dyn Observer,
 ) -> Result<Solved, Failure> {
@@ -216,11 +216,11 @@ pub fn solve_with(
         return Ok(solved);
     }
     // From where things stood, no layout was found; from nothing there may be one.
-    solve_once(&Request { before: None, ..*request }, None, observer)
+    solve_once(&LayoutRequest { before: None, ..*request }, None, observer)
 }
 
 fn solve_once(
-    request: &Request<'_>,
+    request: &LayoutRequest<'_>,
     adviser: Option<Adviser<'_>>,
     observer: &mut dyn Observer,
 ) -> Result<Solved, Failure> {
@@ -316,7 +316,7 @@ fn solve_once(
 }
 
 /// What decides where things are; `furnished` has their shapes.
-fn inputs(request: &Request<'_>, program: &Program, furnished: &Layout, advised: bool) -> Inputs {
+fn inputs(request: &LayoutRequest<'_>, program: &Program, furnished: &Layout, advised: bool) -> Inputs {
     let how = How {
         judge: &request.judge,
         seed: request.seed,
@@ -336,7 +336,7 @@ struct Opened {
 }
 
 /// Stage I: a program that compiles.
-fn opened(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Opened, Failure> {
+fn opened(request: &LayoutRequest<'_>, observer: &mut dyn Observer) -> Result<Opened, Failure> {
     observer.enter(Stage::Program);
     let as_usual = scenelang_lang::Options::default();
     let compiled = compile_with(request.name, request.path, as_usual, request.files, SourceMap::new());
@@ -353,7 +353,7 @@ fn opened(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Opened, 
     Ok(Opened { compiled, start, locked })
 }
 
-fn arranging<'a>(request: &Request<'a>, start: Option<&'a ReadLayout>, locked: Vec<ObjectId>) -> Arranging<'a> {
+fn arranging<'a>(request: &LayoutRequest<'a>, start: Option<&'a ReadLayout>, locked: Vec<ObjectId>) -> Arranging<'a> {
     Arranging {
         previous: start.map(|s| &s.layout),
         made: request.before.filter(|_| start.is_none()),
@@ -386,7 +386,7 @@ pub struct Furnishings {
 ///
 /// # Errors
 /// As for [`solve`].
-pub fn compiled(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Compiled, Failure> {
+pub fn compiled(request: &LayoutRequest<'_>, observer: &mut dyn Observer) -> Result<Compiled, Failure> {
     opened(request, observer).map(|opened| opened.compiled)
 }
 
@@ -394,7 +394,7 @@ pub fn compiled(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Co
 ///
 /// # Errors
 /// As for [`solve`].
-pub fn furnished(request: &Request<'_>, observer: &mut dyn Observer) -> Result<Furnishings, Failure> {
+pub fn furnished(request: &LayoutRequest<'_>, observer: &mut dyn Observer) -> Result<Furnishings, Failure> {
     let Opened { compiled, start, locked } = opened(request, observer)?;
     let Some(program) = &compiled.program else {
         return Err(Failure::Input(compiled.sources, compiled.diagnostics));
@@ -407,7 +407,7 @@ pub fn furnished(request: &Request<'_>, observer: &mut dyn Observer) -> Result<F
 }
 
 /// The layout of an earlier run, judged again: what is said of it may have changed.
-fn kept(request: &Request<'_>, before: &Before) -> Found {
+fn kept(request: &LayoutRequest<'_>, before: &Before) -> JudgedLayout {
     let outcome = Outcome {
         layout: before.layout.clone(),
         converged: true,
@@ -420,7 +420,7 @@ fn kept(request: &Request<'_>, before: &Before) -> Found {
         warnings: Vec::new(),
     };
     let checked = judgement(request, request.layout_name, &before.text, true);
-    Found { outcome, text: before.text.clone(), checked, free: Free::default() }
+    JudgedLayout { outcome, text: before.text.clone(), checked, free: Free::default() }
 }
 
 /// Puts things and rooms where an earlier run had them: the search moves what it must from there.
@@ -569,16 +569,16 @@ fn place(
 }
 
 /// A layout as a file called `name`, and its judgement.
-fn judged(request: &Request<'_>, name: &str, mut outcome: Outcome, start: Option<&ReadLayout>) -> Found {
+fn judged(request: &LayoutRequest<'_>, name: &str, mut outcome: Outcome, start: Option<&ReadLayout>) -> JudgedLayout {
     outcome.layout.scene = Some(request.scene_member.to_owned());
     outcome.layout.seed = Some(request.seed);
     outcome.layout.incomplete = request.stop.is_set();
     let text = layout_file::to_json(&outcome.layout, start.map(|s| &s.document));
     let checked = judgement(request, name, &text, outcome.converged);
-    Found { outcome, text, checked, free: Free::default() }
+    JudgedLayout { outcome, text, checked, free: Free::default() }
 }
 
-fn judgement(request: &Request<'_>, name: &str, text: &str, converged: bool) -> Checked {
+fn judgement(request: &LayoutRequest<'_>, name: &str, text: &str, converged: bool) -> Checked {
     let mut judge = request.judge;
     if !converged {
         // No small move repairs what a whole search could not, and to look for one may take longer than that search.

@@ -3,8 +3,8 @@
 //! The size is what the program assigns (`scale`, else `dimensions`), else the usual size of the category or, without
 //! one, of what the name says, else a cube of 0.5 m. The parts come from the asset library at that size.
 
-use crate::rebuild::{Before, Look, shape};
-use scenelang_assets::{Asset, Request, family_of, solid, stand_in};
+use crate::rebuild::{AssetInput, Before, shape};
+use scenelang_assets::{Asset, AssetRequest, family_of, solid, stand_in};
 use scenelang_base::{Code, Diagnostic, Label, codes};
 use scenelang_catalogue::{Chain, Choice, Query, Why};
 use scenelang_lang::Program;
@@ -31,7 +31,7 @@ pub struct Furnished {
     /// Who gave each object what, in the order of the program; nothing, where only the library was asked.
     pub chosen: Vec<Chosen>,
     /// What was asked for and given, in the order of the program.
-    pub looks: Vec<Look>,
+    pub looks: Vec<AssetInput>,
 }
 
 /// What an object was given, and by whom.
@@ -55,7 +55,7 @@ const BUILT_IN: [&str; 3] = ["door", "garage_door", "window"];
 
 /// The asset for an object at a size, without its mesh.
 pub fn asset_of(object: &Object, size: Option<Vec3>) -> Asset {
-    solid(&Request {
+    solid(&AssetRequest {
         name: &object.name,
         category: &object.category,
         color: &object.color,
@@ -87,7 +87,7 @@ pub struct Earlier<'a> {
 
 impl Earlier<'_> {
     /// What an earlier run made for the same wish.
-    fn piece(&self, object: &Object, look: &Look) -> Option<(&Placement, &Look)> {
+    fn piece(&self, object: &Object, look: &AssetInput) -> Option<(&Placement, &AssetInput)> {
         let made = self.made?;
         let known = made.looks.get(object.name.as_str()).filter(|known| known.asks_the_same(look))?;
         let placement = made.layout.object(&object.name)?;
@@ -143,7 +143,7 @@ pub fn furnish_from(
                 joints: piece.joints,
             }
             .in_short();
-            looks.push(Look::asked(object, placement.scale).given(&placement, true));
+            looks.push(AssetInput::asked(object, placement.scale).given(&placement, true));
             layout.objects.push((object.name.clone(), placement));
             continue;
         }
@@ -155,7 +155,7 @@ pub fn furnish_from(
             unknown.entry(format!("size {what}")).or_insert((i, d));
         }
         let size = size.unwrap_or_else(|| Vec3::repeat(DEFAULT_EDGE));
-        let look = Look::asked(object, size);
+        let look = AssetInput::asked(object, size);
         if let Some(p) = before.filter(|p| !p.parts.is_empty() && (p.scale - size).amax() < 1e-9) {
             looks.push(look.given(p, true));
             layout.objects.push((object.name.clone(), p.clone()));

@@ -15,8 +15,8 @@ mod refute;
 mod rehearse;
 
 pub use corridor::{
-    Advice, Adviser, Arranged, Arranging, Failure, Found, Furnishings, Made, Observer, PLANNED, Request, Solved, Stage,
-    arrange, compiled, furnished, numbered, solve, solve_with, too_large,
+    Advice, Adviser, Arranged, Arranging, Failure, Furnishings, JudgedLayout, LayoutRequest, Made, Observer, PLANNED,
+    Solved, Stage, arrange, compiled, furnished, numbered, solve, solve_with, too_large,
 };
 pub use furnish::{Chosen, Earlier, Furnished, asset_of, furnish, furnish_from, queries};
 pub use hold::Hold;

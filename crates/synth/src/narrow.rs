@@ -9,7 +9,7 @@ use scenelang_formalize::write::write;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Motion};
-use scenelang_solve::{Outcome, Placed, Problem, Progress, Stop, What};
+use scenelang_solve::{Outcome, Placed, Problem, Progress, Stop, TermSubject};
 use scenelang_verify::opening::{self, LOOKS};
 use scenelang_verify::{Options as Judging, World};
 use std::path::Path;
@@ -24,7 +24,8 @@ const MOST_TRIALS: usize = 24;
 
 /// Asks nothing more of furniture that does not open as it should, but for the doors of rooms. Whether there was any.
 pub fn narrow(draft: &mut Draft, program: &Program, outcome: &Outcome, judge: &Judging) -> bool {
-    let shut = |name: &str| outcome.unsatisfied.iter().any(|u| matches!(&u.what, What::Open(shut, _) if shut == name));
+    let shut =
+        |name: &str| outcome.unsatisfied.iter().any(|u| matches!(&u.what, TermSubject::Open(shut, _) if shut == name));
     narrow_those(draft, program, outcome, judge, &shut)
 }
 

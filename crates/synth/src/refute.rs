@@ -83,7 +83,7 @@ fn rooms_of(draft: &Draft, program: &Program, set: &Contradiction) -> Vec<usize>
 mod tests {
     use super::*;
     use crate::{Tried, rehearse};
-    use scenelang_formalize::draft::{Demand, Source, Statement, Thing};
+    use scenelang_formalize::draft::{Demand, DraftThing, Statement, ThingOrigin};
     use scenelang_formalize::write::write;
     use scenelang_formalize::{Options, read};
     use scenelang_lang::compile_text;
@@ -101,21 +101,21 @@ mod tests {
         (any, draft)
     }
 
-    fn with(request: &str, statement: &str, source: Source) -> Draft {
+    fn with(request: &str, statement: &str, source: ThingOrigin) -> Draft {
         let mut draft = read(request, &Options { literal: true }).draft;
         draft.statements.push(Statement::new(statement, source));
         draft
     }
 
-    fn added() -> Source {
-        Source::Inferred("a room has one".to_owned())
+    fn added() -> ThingOrigin {
+        ThingOrigin::Inferred("a room has one".to_owned())
     }
 
     const STUDY: &str = "A study, 4 by 3 m, with a desk and a bench.";
 
     #[test]
     fn what_is_proved_impossible_becomes_a_preference_and_is_noted() {
-        let (any, draft) = given_up(with(STUDY, "assert far(desk, bench, 6)", Source::Stated(0..7)));
+        let (any, draft) = given_up(with(STUDY, "assert far(desk, bench, 6)", ThingOrigin::Stated(0..7)));
         assert!(any);
         let statement = draft.statements.iter().find(|s| s.text.starts_with("far(")).unwrap();
         assert_eq!((statement.demand, statement.relaxed), (Demand::Prefer, true));
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn what_was_added_is_left_out_before_anything_that_was_asked_for() {
         let mut draft = with(STUDY, "assert far(statue, desk, 6)", added());
-        draft.things.push(Thing {
+        draft.things.push(DraftThing {
             name: "statue".to_owned(),
             category: "statue".to_owned(),
             count: 1,
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn a_room_whose_size_nobody_gave_grows_before_anything_is_given_up() {
-        let draft = with("A study with a desk and a bench.", "assert far(desk, bench, 6)", Source::Stated(0..7));
+        let draft = with("A study with a desk and a bench.", "assert far(desk, bench, 6)", ThingOrigin::Stated(0..7));
         let before = draft.rooms[0].size;
         let (any, draft) = given_up(draft);
         assert!(any && draft.rooms[0].size[0] > before[0], "{:?}", draft.rooms);

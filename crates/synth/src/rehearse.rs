@@ -4,14 +4,14 @@
 use crate::furnish::furnish;
 use crate::narrow::{narrow, narrow_all, widened};
 use crate::refute::give_up_refuted;
-use scenelang_formalize::draft::Source;
+use scenelang_formalize::draft::ThingOrigin;
 use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Draft, arrange_rooms, overfull};
 use scenelang_lang::program::{Constraint, ConstraintKind, ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Vec3};
-use scenelang_solve::{End, Outcome, Placed, Problem, Progress, Stop, What, solve};
+use scenelang_solve::{End, Outcome, Placed, Problem, Progress, Stop, TermSubject, solve};
 use scenelang_verify::prove::WORK;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -225,7 +225,7 @@ fn give_up(draft: &mut Draft, program: &Program, outcome: &Outcome, judge: &scen
     // Furniture opens less far before anything is given up that was said, or that it stands on the floor.
     let dear = |i: &usize| {
         let statement = &draft.statements[*i];
-        matches!(statement.source, Source::Stated(_)) || statement.text.contains("onFloor(")
+        matches!(statement.source, ThingOrigin::Stated(_)) || statement.text.contains("onFloor(")
     };
     let last_resort = given_up.is_empty() || given_up.iter().any(dear);
     last_resort && narrow_all(draft, program, outcome, judge) || draft.prefer(given_up, REASON)
@@ -241,11 +241,11 @@ fn at_odds(program: &Program, outcome: &Outcome) -> Vec<Vec<String>> {
     let mut groups: Vec<Vec<String>> = Vec::new();
     for each in &outcome.unsatisfied {
         groups.push(match &each.what {
-            What::Stated(c) if program.constraints[*c].kind == ConstraintKind::Assert => of(*c),
-            What::Stated(_) => continue,
-            What::Collision(a, b) => vec![owned(a), owned(b)],
-            What::Bounds(a) | What::Support(a) => vec![owned(a)],
-            What::Open(a, met) => std::iter::once(a).chain(met).map(|name| owned(name)).collect(),
+            TermSubject::Stated(c) if program.constraints[*c].kind == ConstraintKind::Assert => of(*c),
+            TermSubject::Stated(_) => continue,
+            TermSubject::Collision(a, b) => vec![owned(a), owned(b)],
+            TermSubject::Bounds(a) | TermSubject::Support(a) => vec![owned(a)],
+            TermSubject::Open(a, met) => std::iter::once(a).chain(met).map(|name| owned(name)).collect(),
         });
     }
     if groups.is_empty() {
@@ -273,7 +273,7 @@ fn crowded(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
     let mut names: Vec<&str> = Vec::new();
     for each in &outcome.unsatisfied {
         match &each.what {
-            What::Stated(c) => {
+            TermSubject::Stated(c) => {
                 let constraint = &program.constraints[*c];
                 if constraint.kind == ConstraintKind::Assert && stated.of(*c).is_none() {
                     names.extend(
@@ -281,9 +281,9 @@ fn crowded(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize> {
                     );
                 }
             }
-            What::Collision(a, b) => names.extend([a.as_str(), b]),
-            What::Bounds(a) | What::Support(a) => names.push(a),
-            What::Open(a, met) => names.extend(std::iter::once(a).chain(met).map(|name| name.as_str())),
+            TermSubject::Collision(a, b) => names.extend([a.as_str(), b]),
+            TermSubject::Bounds(a) | TermSubject::Support(a) => names.push(a),
+            TermSubject::Open(a, met) => names.extend(std::iter::once(a).chain(met).map(|name| name.as_str())),
         }
     }
     let kinds: Vec<&str> = names.into_iter().map(base).collect();
@@ -323,7 +323,7 @@ pub fn enlarge(draft: &mut Draft, rooms: &[usize], grown: &mut [usize]) -> bool 
 /// Lets doors open less freely, where nobody asked for the space that they lack. Whether there was such a door.
 fn squeeze(draft: &mut Draft, program: &Program, outcome: &Outcome) -> bool {
     let violated = outcome.unsatisfied.iter().filter_map(|u| match u.what {
-        What::Stated(constraint) => Some(constraint),
+        TermSubject::Stated(constraint) => Some(constraint),
         _ => None,
     });
     let mut any = false;
@@ -370,10 +370,10 @@ fn in_the_way(draft: &Draft, program: &Program, outcome: &Outcome) -> Vec<usize>
     let mut names = Vec::new();
     for each in &outcome.unsatisfied {
         match &each.what {
-            What::Stated(c) => violated.extend(stated.rank(draft, *c).zip(stated.of(*c))),
-            What::Collision(a, b) => names.extend([a, b]),
-            What::Bounds(a) | What::Support(a) => names.push(a),
-            What::Open(a, met) => names.extend(std::iter::once(a).chain(met)),
+            TermSubject::Stated(c) => violated.extend(stated.rank(draft, *c).zip(stated.of(*c))),
+            TermSubject::Collision(a, b) => names.extend([a, b]),
+            TermSubject::Bounds(a) | TermSubject::Support(a) => names.push(a),
+            TermSubject::Open(a, met) => names.extend(std::iter::once(a).chain(met)),
         }
     }
     if !violated.is_empty() {

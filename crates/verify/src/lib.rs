@@ -27,7 +27,7 @@ pub mod vector;
 mod world;
 
 pub use builtins::{Declared, Slack, Surroundings, declared, gap, in_region, in_the_way, surroundings};
-pub use check::{Checked, Verdict, check};
+pub use check::{CheckVerdict, Checked, check};
 pub use eval::{Cause, EvalError, Lazy, Scratch, Truth, Value, cone, evaluate, judge, objects_of};
 pub use explain::Explain;
 pub use number::{Algebra, Dual, Logic, Number};
@@ -35,4 +35,4 @@ pub use report::{Report, exit_code};
 pub use scenelang_layout::Geometry;
 pub use settings::Settings;
 pub use tolerances::{DEFAULT_ETA, Detail, Opens, Options, Tolerances};
-pub use world::{Body, Room, Thing, World};
+pub use world::{Body, ObjectInstance, RegionInstance, World};

@@ -10,7 +10,7 @@ use crate::eval::{Cause, Truth};
 use crate::number::Number;
 use crate::world::World;
 use nalgebra::Matrix3;
-use scenelang_lang::program::{ObjectId, Program, RegionId, Side};
+use scenelang_lang::program::{ObjectId, ObjectSide, Program, RegionId};
 use scenelang_layout::sweep::SHARE;
 use scenelang_layout::{Aabb, Convex, Joint, Motion, Moving, Obb, Separation, Swept, Vec2, Vec3};
 
@@ -360,9 +360,9 @@ fn walls<N: Number>(
     let is_door = world.habits.is_door(id);
     let way = (middle(&moving.opened(amount)) - middle(moving.bodies())).dot(&own.axes.column(2));
     let side = match is_door {
-        true if way < 0.0 => Side::Behind,
-        true => Side::Front,
-        false => Side::Above,
+        true if way < 0.0 => ObjectSide::Behind,
+        true => ObjectSide::Front,
+        false => ObjectSide::Above,
     };
     let Some((region, prism)) = region_beside(world, id, side) else { return Vec::new() };
     if !world.habits.walled.get(region.0 as usize).is_some_and(|walled| *walled) {

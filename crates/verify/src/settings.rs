@@ -3,7 +3,7 @@
 mod assets;
 mod llm;
 
-pub use assets::{Assets, Source};
+pub use assets::{Assets, ProviderKind};
 pub use llm::Llm;
 
 use crate::tolerances::{Opens, Options, Tolerances};

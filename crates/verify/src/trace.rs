@@ -35,7 +35,7 @@ pub struct Trace {
     /// In the order of the program, each once.
     pub requirements: Vec<Requirement>,
     /// Objects and regions in the order of the program; an array is one object.
-    pub objects: Vec<Thing>,
+    pub objects: Vec<TracedThing>,
     /// Statements that answer no requirement.
     pub untraced: Vec<Statement>,
     /// The settings file by which the layout was judged, where that makes a difference.
@@ -107,7 +107,7 @@ pub struct Statement {
     /// As in reports: `room.scene:12:1`.
     pub id: String,
     /// What it is.
-    pub kind: Kind,
+    pub kind: StatementKind,
     /// As written, on one line.
     pub text: String,
     /// The objects that it speaks of; an array of which it speaks as a whole by its name. An assignment may also speak of
@@ -124,7 +124,7 @@ pub struct Statement {
 /// What a statement is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum StatementKind {
     /// `assert`
     Assert,
     /// `prefer`
@@ -139,7 +139,7 @@ pub enum Kind {
 
 /// An object, or a region.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Thing {
+pub struct TracedThing {
     /// Its name.
     pub name: String,
     /// `object` or `region`.
@@ -183,7 +183,7 @@ struct Builder<'a> {
     arrays: FxHashMap<&'a str, usize>,
     requirements: Vec<Requirement>,
     numbers: BTreeMap<String, usize>,
-    things: Vec<Thing>,
+    things: Vec<TracedThing>,
     all: Vec<Statement>,
     untraced: Vec<Statement>,
 }
@@ -218,7 +218,7 @@ impl<'a> Builder<'a> {
             for number in &numbers {
                 self.requirements[*number].declares.push(name.text.to_string());
             }
-            self.things.push(Thing {
+            self.things.push(TracedThing {
                 name: name.text.to_string(),
                 kind: if *ty == TypeWord::Object { "object" } else { "region" }.into(),
                 requirements: numbers,
@@ -231,7 +231,7 @@ impl<'a> Builder<'a> {
         for number in &numbers {
             self.requirements[*number].statements.push(statement.clone());
         }
-        if numbers.is_empty() && statement.kind != Kind::Property && statement.kind != Kind::Pin {
+        if numbers.is_empty() && statement.kind != StatementKind::Property && statement.kind != StatementKind::Pin {
             self.untraced.push(statement.clone());
         }
         self.all.push(statement);
@@ -246,19 +246,19 @@ impl<'a> Builder<'a> {
                 match (self.constraints.get(&at).map(|index| &program.constraints[*index]), &stmt.kind) {
                     (Some(constraint), _) => {
                         let kind = match constraint.kind {
-                            ConstraintKind::Assert => Kind::Assert,
-                            ConstraintKind::Prefer { .. } => Kind::Prefer,
-                            ConstraintKind::Pin => Kind::Pin,
+                            ConstraintKind::Assert => StatementKind::Assert,
+                            ConstraintKind::Prefer { .. } => StatementKind::Prefer,
+                            ConstraintKind::Pin => StatementKind::Pin,
                         };
                         (kind, named(program, &self.arrays, constraint.formula.objects()))
                     }
-                    (None, StmtKind::Assign { path, .. }) if !path.is_empty() => (Kind::Property, Vec::new()),
+                    (None, StmtKind::Assign { path, .. }) if !path.is_empty() => (StatementKind::Property, Vec::new()),
                     _ => return None,
                 }
             }
             StmtKind::Allow { .. } => {
                 let permission = &program.allow.stated[*self.permissions.get(&at)?];
-                (Kind::Allow, named(program, &self.arrays, permission.arguments.concat()))
+                (StatementKind::Allow, named(program, &self.arrays, permission.arguments.concat()))
             }
             _ => return None,
         };
@@ -354,7 +354,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-impl Kind {
+impl StatementKind {
     /// Whether a layout is judged by it, and must satisfy it.
     fn is_hard(self) -> bool {
         matches!(self, Self::Assert | Self::Pin)
@@ -363,10 +363,10 @@ impl Kind {
 
 fn verdict(requirement: &Requirement, judged: bool) -> Verdict {
     let has = |wanted: Option<bool>, hard: bool| {
-        let of_kind = |kind: Kind| if hard { kind.is_hard() } else { kind == Kind::Prefer };
+        let of_kind = |kind: StatementKind| if hard { kind.is_hard() } else { kind == StatementKind::Prefer };
         requirement.statements.iter().any(|s| of_kind(s.kind) && s.satisfied == wanted)
     };
-    let any = requirement.statements.iter().any(|s| s.kind.is_hard() || s.kind == Kind::Prefer);
+    let any = requirement.statements.iter().any(|s| s.kind.is_hard() || s.kind == StatementKind::Prefer);
     match () {
         () if requirement.statements.is_empty() && requirement.declares.is_empty() => Verdict::None,
         () if !any => Verdict::Declared,

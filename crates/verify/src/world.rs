@@ -22,9 +22,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 #[derive(Clone, Debug)]
 pub struct World<N: Algebra> {
     /// By [`ObjectId`].
-    pub(crate) objects: Vec<Option<Thing<N>>>,
+    pub(crate) objects: Vec<Option<ObjectInstance<N>>>,
     /// By [`RegionId`].
-    pub(crate) regions: Vec<Option<Room<N>>>,
+    pub(crate) regions: Vec<Option<RegionInstance<N>>>,
     /// By [`VariableId`].
     pub(crate) variables: Vec<Result<Value<N>, Cause>>,
     /// By [`DrawId`].
@@ -41,7 +41,7 @@ pub struct World<N: Algebra> {
 
 /// An object in an instance.
 #[derive(Clone, Debug)]
-pub struct Thing<N: Algebra> {
+pub struct ObjectInstance<N: Algebra> {
     /// Centre of the bottom face (metres).
     pub pos: V3<N>,
     /// Euler triple (degrees).
@@ -194,7 +194,7 @@ fn joints(placement: &Placement) -> Arc<[Joint]> {
     placement.joints.iter().filter(has).cloned().collect()
 }
 
-impl<N: Number> Thing<N> {
+impl<N: Number> ObjectInstance<N> {
     fn new(placement: &Placement, geometry: Geometry) -> Self {
         let rot = V3::constant(&placement.rot);
         Self {
@@ -227,7 +227,7 @@ impl<N: Number> Thing<N> {
     }
 }
 
-impl<N: Algebra> Thing<N> {
+impl<N: Algebra> ObjectInstance<N> {
     /// Centre of the box.
     pub fn center(&self) -> V3<N> {
         self.pos + self.axes.0[1].times(self.scale.0[1].scale(0.5))
@@ -245,7 +245,7 @@ impl<N: Algebra> Thing<N> {
 
 /// A region in an instance.
 #[derive(Clone, Debug)]
-pub struct Room<N: Algebra> {
+pub struct RegionInstance<N: Algebra> {
     /// Centre of the rectangle's floor (metres).
     pub pos: V3<N>,
     /// Euler triple (degrees); only y turns it.
@@ -258,7 +258,7 @@ pub struct Room<N: Algebra> {
     pub prism: Prism,
 }
 
-impl<N: Number> Room<N> {
+impl<N: Number> RegionInstance<N> {
     fn new(placement: &RegionPlacement) -> Option<Self> {
         Some(Self {
             pos: V3::constant(&placement.pos),
@@ -291,10 +291,10 @@ impl<N: Number> World<N> {
         let placements: FxHashMap<&str, &Placement> =
             layout.objects.iter().map(|(name, placement)| (name.as_str(), placement)).collect();
         let objects = program.objects.iter().map(|object| {
-            placements.get(object.name.as_str()).map(|placement| Thing::new(placement, options.geometry))
+            placements.get(object.name.as_str()).map(|placement| ObjectInstance::new(placement, options.geometry))
         });
-        let regions = program.regions.iter().map(|region| layout.region(&region.name).and_then(Room::new));
-        let values: FxHashMap<&str, model::Value> =
+        let regions = program.regions.iter().map(|region| layout.region(&region.name).and_then(RegionInstance::new));
+        let values: FxHashMap<&str, model::DecisionValue> =
             layout.variables.iter().map(|(name, value)| (name.as_str(), *value)).collect();
         let variables = program.variables.iter().enumerate().map(|(i, variable)| {
             let value = values.get(variable.name.as_str()).copied();
@@ -321,14 +321,14 @@ impl<N: Number> World<N> {
     /// The same instance in other numbers, which depend on nothing yet.
     pub fn constant<M: Number>(&self) -> World<M> {
         let convert = |v: &V3<N>| V3::<M>::constant(&v.value());
-        let thing = |t: &Thing<N>| Thing {
+        let thing = |t: &ObjectInstance<N>| ObjectInstance {
             pos: convert(&t.pos),
             rot: convert(&t.rot),
             scale: convert(&t.scale),
             axes: M3(std::array::from_fn(|i| convert(&t.axes.0[i]))),
             body: t.body.clone(),
         };
-        let room = |r: &Room<N>| Room {
+        let room = |r: &RegionInstance<N>| RegionInstance {
             pos: convert(&r.pos),
             rot: convert(&r.rot),
             scale: convert(&r.scale),
@@ -428,14 +428,14 @@ impl<N: Algebra> World<N> {
     ///
     /// # Errors
     /// The layout lacks it.
-    pub fn object(&self, id: ObjectId) -> Result<&Thing<N>, Cause> {
+    pub fn object(&self, id: ObjectId) -> Result<&ObjectInstance<N>, Cause> {
         self.objects[id.0 as usize].as_ref().ok_or(Cause::MissingObject(id))
     }
     /// A region.
     ///
     /// # Errors
     /// The layout lacks it.
-    pub fn region(&self, id: RegionId) -> Result<&Room<N>, Cause> {
+    pub fn region(&self, id: RegionId) -> Result<&RegionInstance<N>, Cause> {
         self.regions[id.0 as usize].as_ref().ok_or(Cause::MissingRegion(id))
     }
     /// A decision variable.
@@ -455,13 +455,15 @@ impl<N: Algebra> World<N> {
 }
 
 /// The value of a variable, if it is of its kind.
-fn setting<N: Number>(kind: VariableKind, value: model::Value) -> Result<Value<N>, Cause> {
+fn setting<N: Number>(kind: VariableKind, value: model::DecisionValue) -> Result<Value<N>, Cause> {
     let triple = |t: [f64; 3]| V3(t.map(N::constant));
     match (kind, value) {
-        (VariableKind::Number | VariableKind::Degree, model::Value::Number(n)) => Ok(Value::Number(N::constant(n))),
-        (VariableKind::Bool, model::Value::Bool(b)) => Ok(Value::Truth(crate::eval::Truth::discrete(b))),
-        (VariableKind::Vector, model::Value::Triple(t)) => Ok(Value::Vector(triple(t))),
-        (VariableKind::Rotation, model::Value::Triple(t)) => Ok(Value::Rotation(triple(t))),
+        (VariableKind::Number | VariableKind::Degree, model::DecisionValue::Number(n)) => {
+            Ok(Value::Number(N::constant(n)))
+        }
+        (VariableKind::Bool, model::DecisionValue::Bool(b)) => Ok(Value::Truth(crate::eval::Truth::discrete(b))),
+        (VariableKind::Vector, model::DecisionValue::Triple(t)) => Ok(Value::Vector(triple(t))),
+        (VariableKind::Rotation, model::DecisionValue::Triple(t)) => Ok(Value::Rotation(triple(t))),
         _ => Err(Cause::Refused),
     }
 }

@@ -5,7 +5,7 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// How an animal is built: its colour, how high and thick its body is, its neck (length, how much it leans forward), its head
 /// and its snout.
@@ -18,7 +18,7 @@ struct Build {
 }
 
 /// An animal that looks to the end of its box.
-pub(super) fn animal(a: &Ask) -> Model {
+pub(super) fn animal(a: &Ask) -> BuiltModel {
     if a.says(&["duck"]) {
         return duck(a);
     }
@@ -223,7 +223,7 @@ fn marks(
 }
 
 /// A body, a head and a beak.
-fn duck(a: &Ask) -> Model {
+fn duck(a: &Ask) -> BuiltModel {
     let yellow = a.main(Stuff(Finish::Rubber, 0xf0c02c));
     small(a, |mesh| {
         let body = [(0.6, 0.0), (0.92, 0.2), (1.0, 0.5), (0.8, 0.85), (0.4, 1.0)];

@@ -6,13 +6,13 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 const RED: Stuff = Stuff(Finish::Plastic, 0xb8322c);
 const CREAM: Stuff = Stuff(Finish::Plastic, 0xe8e0cf);
 
 /// A jug with a lid and blades over a base with a dial; one for juice has a chute in its lid.
-pub(super) fn blender(a: &Ask) -> Model {
+pub(super) fn blender(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -41,7 +41,7 @@ fn dial(mesh: &mut Mesh, y: f64, z: f64, r: f64, s: &Surface) {
 }
 
 /// A head on an arm over a bowl.
-pub(super) fn stand_mixer(a: &Ask) -> Model {
+pub(super) fn stand_mixer(a: &Ask) -> BuiltModel {
     let case = a.main(RED);
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -61,7 +61,7 @@ pub(super) fn stand_mixer(a: &Ask) -> Model {
 }
 
 /// A round pot with a lid, handles and a panel: rice cookers, slow cookers, pressure cookers.
-pub(super) fn rice_cooker(a: &Ask) -> Model {
+pub(super) fn rice_cooker(a: &Ask) -> BuiltModel {
     let case = a.main(if a.says(&["pressure"]) { stuff::STEEL } else { CREAM });
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -83,7 +83,7 @@ pub(super) fn rice_cooker(a: &Ask) -> Model {
 }
 
 /// An egg of a case with a drawer that has a handle, and a display over it.
-pub(super) fn air_fryer(a: &Ask) -> Model {
+pub(super) fn air_fryer(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     small(a, |mesh| {
         let egg = [(0.84, 0.0), (0.98, 0.15), (1.0, 0.5), (0.9, 0.85), (0.6, 1.0)];
@@ -96,7 +96,7 @@ pub(super) fn air_fryer(a: &Ask) -> Model {
 }
 
 /// A case with a lid that has a window with a loaf below it.
-pub(super) fn bread_maker(a: &Ask) -> Model {
+pub(super) fn bread_maker(a: &Ask) -> BuiltModel {
     let case = a.main(CREAM);
     small(a, |mesh| {
         mesh.rounded(block(-1.0..1.0, 0.0..1.5, -0.7..0.7), 0.14, 2, &case);
@@ -112,7 +112,7 @@ pub(super) fn bread_maker(a: &Ask) -> Model {
 }
 
 /// A hopper with beans over a case with a spout and a drawer.
-pub(super) fn coffee_grinder(a: &Ask) -> Model {
+pub(super) fn coffee_grinder(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::BLACK_STEEL);
     small(a, |mesh| {
         mesh.rounded(block(-0.5..0.5, 0.0..0.16, -0.6..0.7), 0.06, 2, &case);
@@ -138,7 +138,7 @@ pub(super) fn coffee_grinder(a: &Ask) -> Model {
 }
 
 /// A vat of oil with baskets that hang in it, their handles to the front.
-pub(super) fn deep_fryer(a: &Ask) -> Model {
+pub(super) fn deep_fryer(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -165,7 +165,7 @@ pub(super) fn deep_fryer(a: &Ask) -> Model {
 }
 
 /// A flat plate to fry on, or round plates to heat on, over a case with knobs.
-pub(super) fn hot_plate(a: &Ask) -> Model {
+pub(super) fn hot_plate(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     let dark = stuff::BLACK_STEEL.surface();
     let flat = a.says(&["griddle"]);
@@ -193,7 +193,7 @@ pub(super) fn hot_plate(a: &Ask) -> Model {
 }
 
 /// A case with two levers over a tray, and a cone of ice cream below.
-pub(super) fn ice_cream_machine(a: &Ask) -> Model {
+pub(super) fn ice_cream_machine(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     small(a, |mesh| {
         mesh.rounded(block(-0.6..0.6, 0.0..2.0, -0.8..0.4), 0.06, 1, &steel);
@@ -215,7 +215,7 @@ pub(super) fn ice_cream_machine(a: &Ask) -> Model {
 }
 
 /// A barrel that blows, over a grip.
-pub(super) fn hair_dryer(a: &Ask) -> Model {
+pub(super) fn hair_dryer(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Plastic, 0xc2476f));
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -230,7 +230,7 @@ pub(super) fn hair_dryer(a: &Ask) -> Model {
 }
 
 /// A case for the wall that blows from below.
-pub(super) fn hand_dryer(a: &Ask) -> Model {
+pub(super) fn hand_dryer(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::WHITE);
     small(a, |mesh| {
         mesh.rounded(block(-1.0..1.0, 0.2..2.0, -0.8..0.5), 0.35, 4, &case);
@@ -245,7 +245,7 @@ pub(super) fn hand_dryer(a: &Ask) -> Model {
 }
 
 /// An arm with a needle over a bed, a wheel at its end and a reel of thread on top.
-pub(super) fn sewing_machine(a: &Ask) -> Model {
+pub(super) fn sewing_machine(a: &Ask) -> BuiltModel {
     let case = a.main(CREAM);
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -268,7 +268,7 @@ pub(super) fn sewing_machine(a: &Ask) -> Model {
 }
 
 /// A record on a platter, with an arm.
-pub(super) fn record_player(a: &Ask) -> Model {
+pub(super) fn record_player(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::WALNUT);
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -291,7 +291,7 @@ pub(super) fn record_player(a: &Ask) -> Model {
 }
 
 /// Rows of round keys, the carriage with its roller, and a sheet.
-pub(super) fn typewriter(a: &Ask) -> Model {
+pub(super) fn typewriter(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Paint, 0x2f4f4a));
     small(a, |mesh| {
         mesh.taper(block(-0.9..0.9, 0.0..0.3, -0.8..0.9), block(-0.85..0.85, 0.2..0.3, -0.8..0.85), &case);
@@ -325,7 +325,7 @@ pub(super) fn typewriter(a: &Ask) -> Model {
 }
 
 /// A bin with a head that has a slot; strips hang below a sheet.
-pub(super) fn paper_shredder(a: &Ask) -> Model {
+pub(super) fn paper_shredder(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     small(a, |mesh| {
         mesh.taper(block(-0.8..0.8, 0.0..1.4, -0.55..0.55), block(-0.9..0.9, 1.3..1.4, -0.6..0.6), &shade(&case, 1.6));
@@ -342,7 +342,7 @@ pub(super) fn paper_shredder(a: &Ask) -> Model {
 }
 
 /// A tower with slots all around its foot and a panel on top.
-pub(super) fn air_purifier(a: &Ask) -> Model {
+pub(super) fn air_purifier(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::WHITE);
     small(a, |mesh| {
         mesh.rounded(block(-1.0..1.0, 0.0..2.0, -1.0..1.0), 0.3, 3, &case);

@@ -4,12 +4,12 @@ use super::kitchen::{hatch, tap};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A bowl with a closed lid (the support surface) and a cistern behind it.
-pub(super) fn toilet(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn toilet(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CERAMIC);
     let seat = 0.43_f64.min(0.56 * a.h);
@@ -45,8 +45,8 @@ pub(super) fn toilet(a: &Ask) -> Model {
 }
 
 /// A bowl on the wall.
-pub(super) fn urinal(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn urinal(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CERAMIC);
     m.solid(b);
@@ -60,8 +60,8 @@ pub(super) fn urinal(a: &Ask) -> Model {
 }
 
 /// A bath: four walls and a floor, a tap at the left end.
-pub(super) fn bathtub(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bathtub(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CERAMIC);
     let inner = shade(&main, 0.95);
@@ -95,8 +95,8 @@ pub(super) fn bathtub(a: &Ask) -> Model {
 }
 
 /// A tray, two panes of glass, a column with a rose.
-pub(super) fn shower(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn shower(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CERAMIC);
     let chrome = stuff::CHROME.surface();
@@ -122,8 +122,8 @@ pub(super) fn shower(a: &Ask) -> Model {
 }
 
 /// Bars between two rails on the wall, a towel over them.
-pub(super) fn towel_rail(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn towel_rail(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let metal = a.main(stuff::CHROME);
     m.solid(b);
@@ -144,8 +144,8 @@ pub(super) fn towel_rail(a: &Ask) -> Model {
 }
 
 /// A pillar with a rose and a pull, and a basin for the eyes: for laboratories.
-pub(super) fn emergency_shower(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn emergency_shower(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let yellow = a.main(crate::looks::Stuff(crate::looks::Finish::Paint, 0xe5b82e));
     let green = stuff::GREEN_LIGHT.surface();
@@ -179,8 +179,8 @@ pub(super) fn emergency_shower(a: &Ask) -> Model {
 }
 
 /// A soap or paper dispenser, a hand dryer: a rounded case on the wall.
-pub(super) fn dispenser(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn dispenser(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::PLASTIC);
     m.solid(b);
@@ -194,8 +194,8 @@ pub(super) fn dispenser(a: &Ask) -> Model {
 }
 
 /// A cabinet with a basin let into its top, or with two where it is wide or says so.
-pub(super) fn vanity_unit(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn vanity_unit(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let (top, bowl, chrome) = (a.second(stuff::CERAMIC), stuff::CERAMIC.surface(), stuff::CHROME.surface());

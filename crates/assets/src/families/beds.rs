@@ -4,13 +4,13 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, is, shade, stuff, woody};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A canopy is higher than this (metres).
 const CANOPY: f64 = 1.3;
 
 /// A made bed inside `b`, up to `top`: mattress, blanket from the foot to two thirds, pillows.
-fn bedding(m: &mut Model, b: Block, cover: &Surface) {
+fn bedding(m: &mut BuiltModel, b: Block, cover: &Surface) {
     let size = b.size();
     let sheet = stuff::SHEET.surface();
     m.solid(b);
@@ -22,7 +22,7 @@ fn bedding(m: &mut Model, b: Block, cover: &Surface) {
 }
 
 /// Pillows at the head of `b`, lying on its top.
-fn pillows(m: &mut Model, b: Block, high: f64, s: &Surface) {
+fn pillows(m: &mut BuiltModel, b: Block, high: f64, s: &Surface) {
     let size = b.size();
     let row = b.inset(0.05 * size.x, 0.0, 0.0).y(b.max.y..b.max.y + high);
     let row = row.z(b.min.z + 0.02 * size.z..b.min.z + 0.02 * size.z + 0.42_f64.min(0.22 * size.z));
@@ -33,14 +33,14 @@ fn pillows(m: &mut Model, b: Block, high: f64, s: &Surface) {
 }
 
 /// A bed: frame, headboard as high as the box, mattress at a height to sit on.
-pub(super) fn bed(a: &Ask) -> Model {
+pub(super) fn bed(a: &Ask) -> BuiltModel {
     if a.says(&["bunk", "loft"]) && a.h > 1.0 {
         return bunk(a);
     }
     if a.says(&["hospital", "patient"]) {
         return hospital(a);
     }
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let whole = a.whole();
     // The bed itself stands between the posts of a canopy.
     let post = 0.06_f64.min(0.1 * a.w);
@@ -91,7 +91,7 @@ pub(super) fn bed(a: &Ask) -> Model {
 }
 
 /// Four posts that carry beams and a cloth.
-fn canopied(m: &mut Model, b: Block, post: f64, [frame, cloth]: [&Surface; 2]) {
+fn canopied(m: &mut BuiltModel, b: Block, post: f64, [frame, cloth]: [&Surface; 2]) {
     let top = b.max.y;
     for corner in b.x(b.min.x..b.min.x + post).z(b.min.z..b.min.z + post).four_corners() {
         m.board(corner, frame);
@@ -107,8 +107,8 @@ fn canopied(m: &mut Model, b: Block, post: f64, [frame, cloth]: [&Surface; 2]) {
 }
 
 /// A bed of a ward: a high steel frame on castors, panels at head and foot, a rail along each side.
-fn hospital(a: &Ask) -> Model {
-    let mut m = Model::default();
+fn hospital(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (steel, panel) = (stuff::STEEL.surface(), stuff::PLASTIC.surface());
     let cover = a.second(stuff::CLOTH);
@@ -139,8 +139,8 @@ fn hospital(a: &Ask) -> Model {
 }
 
 /// Two beds over each other between four posts, with a ladder in front of the foot.
-fn bunk(a: &Ask) -> Model {
-    let mut m = Model::default();
+fn bunk(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let frame = a.main(stuff::OAK);
     let cover = a.second(stuff::CLOTH);
@@ -182,8 +182,8 @@ fn bunk(a: &Ask) -> Model {
 }
 
 /// A child's bed with bars.
-pub(super) fn crib(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn crib(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::BIRCH);
     let t = 0.035_f64.min(0.1 * a.w).min(0.1 * a.d);
@@ -224,8 +224,8 @@ pub(super) fn crib(a: &Ask) -> Model {
 }
 
 /// A padded couch for patients, flat, on a frame; on castors where it is a stretcher.
-pub(super) fn exam_table(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn exam_table(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(crate::looks::Stuff(Finish::Leather, 0x3f6f78));
     let frame = stuff::STEEL.surface();
@@ -248,8 +248,8 @@ pub(super) fn exam_table(a: &Ask) -> Model {
 }
 
 /// Soft and flat: mattresses, pillows, folded blankets and towels.
-pub(super) fn soft(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn soft(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::LINEN);
     m.solid(b);

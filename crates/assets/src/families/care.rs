@@ -4,11 +4,11 @@
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A padded seat on a column, with a rest for the legs, a back and a head rest. The feet are at +z.
-pub(super) fn treatment_chair(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn treatment_chair(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let pad = a.main(Stuff(Finish::Leather, 0x3f6f78));
     let (steel, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
@@ -31,8 +31,8 @@ pub(super) fn treatment_chair(a: &Ask) -> Model {
 }
 
 /// A low frame with slats and a raised back at -z.
-pub(super) fn lounger(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn lounger(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::OAK);
     let cloth = a.second(stuff::LINEN);
@@ -53,8 +53,8 @@ pub(super) fn lounger(a: &Ask) -> Model {
 }
 
 /// A pole on a round base with a hook to each side and a bag on them.
-pub(super) fn iv_stand(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn iv_stand(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let steel = a.main(stuff::STEEL);
     let bag = stuff::GLASS.surface();
@@ -72,8 +72,8 @@ pub(super) fn iv_stand(a: &Ask) -> Model {
 }
 
 /// A screen on a pole that stands beside a bed.
-pub(super) fn patient_monitor(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn patient_monitor(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let body = a.main(stuff::PLASTIC);
     let foot = 0.06_f64.min(0.1 * a.h);
@@ -98,8 +98,8 @@ pub(super) fn patient_monitor(a: &Ask) -> Model {
 }
 
 /// Two frames with bars between them, cloths over some of the bars.
-pub(super) fn drying_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn drying_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STEEL);
     let cloths = [stuff::LINEN.surface(), stuff::CLOTH.surface(), a.second(stuff::SHEET)];

@@ -6,7 +6,7 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A wheel with its axle along x.
 fn wheel(mesh: &mut Mesh, [x, y, z]: [f64; 3], r: f64, half: f64) {
@@ -19,7 +19,7 @@ fn wheel(mesh: &mut Mesh, [x, y, z]: [f64; 3], r: f64, half: f64) {
 }
 
 /// A seat, or a tub for a baby, under a hood on four wheels, with a bar to push.
-pub(super) fn stroller(a: &Ask) -> Model {
+pub(super) fn stroller(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Fabric, 0x3f5f7f));
     let (steel, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
     let tub = a.says(&["pram", "carriage"]);
@@ -65,7 +65,7 @@ pub(super) fn stroller(a: &Ask) -> Model {
 }
 
 /// A tub on four wheels with a bar to pull.
-pub(super) fn wagon(a: &Ask) -> Model {
+pub(super) fn wagon(a: &Ask) -> BuiltModel {
     let red = a.main(stuff::RED);
     small(a, |mesh| {
         for z in [-0.4, 0.4] {
@@ -88,7 +88,7 @@ pub(super) fn wagon(a: &Ask) -> Model {
 }
 
 /// A seat over a platform with a tiller and a basket before it.
-pub(super) fn mobility_scooter(a: &Ask) -> Model {
+pub(super) fn mobility_scooter(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::RED);
     let dark = stuff::DARK_PLASTIC.surface();
     headed(a, |mesh| {
@@ -123,7 +123,7 @@ pub(super) fn mobility_scooter(a: &Ask) -> Model {
 }
 
 /// A body on wheels with a hose, a pipe and a wide nozzle.
-pub(super) fn vacuum_cleaner(a: &Ask) -> Model {
+pub(super) fn vacuum_cleaner(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Plastic, 0xb8322c));
     let (dark, steel) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
     headed(a, |mesh| {
@@ -141,7 +141,7 @@ pub(super) fn vacuum_cleaner(a: &Ask) -> Model {
 }
 
 /// A deck with a motor on four wheels, a bag behind, a bar to push.
-pub(super) fn lawn_mower(a: &Ask) -> Model {
+pub(super) fn lawn_mower(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Paint, 0x3f8a4c));
     let dark = stuff::DARK_PLASTIC.surface();
     headed(a, |mesh| {
@@ -161,7 +161,7 @@ pub(super) fn lawn_mower(a: &Ask) -> Model {
 }
 
 /// A frame with grips to walk with, two wheels in front.
-pub(super) fn walker(a: &Ask) -> Model {
+pub(super) fn walker(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     small(a, |mesh| {
         for side in [-1.0, 1.0] {
@@ -189,7 +189,7 @@ pub(super) fn walker(a: &Ask) -> Model {
 }
 
 /// Head with a visor, trunk, arms and legs with joints.
-pub(super) fn humanoid(a: &Ask) -> Model {
+pub(super) fn humanoid(a: &Ask) -> BuiltModel {
     let shell = a.main(stuff::WHITE);
     let (dark, glow) = (stuff::DARK_PLASTIC.surface(), of(Finish::Glow, 0x4f9fe0));
     small(a, |mesh| {
@@ -223,7 +223,7 @@ pub(super) fn humanoid(a: &Ask) -> Model {
 }
 
 /// A trunk on four bent legs, a head with sensors.
-pub(super) fn robot_dog(a: &Ask) -> Model {
+pub(super) fn robot_dog(a: &Ask) -> BuiltModel {
     let shell = a.main(Stuff(Finish::Plastic, 0xe0b23a));
     let dark = stuff::DARK_PLASTIC.surface();
     headed(a, |mesh| {
@@ -246,7 +246,7 @@ pub(super) fn robot_dog(a: &Ask) -> Model {
 }
 
 /// Six wheels, a deck with a solar panel, a mast with cameras and an arm.
-pub(super) fn rover(a: &Ask) -> Model {
+pub(super) fn rover(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::WHITE);
     let steel = stuff::STEEL.surface();
     headed(a, |mesh| {
@@ -280,7 +280,7 @@ pub(super) fn rover(a: &Ask) -> Model {
 }
 
 /// A ring as high as the box that one is pushed into, lying on a table; narrower for computed tomography.
-pub(super) fn scanner(a: &Ask) -> Model {
+pub(super) fn scanner(a: &Ask) -> BuiltModel {
     let shell = a.main(stuff::WHITE);
     let ct = a.says(&["ct"]);
     let glow: Surface = of(Finish::Glow, 0x4f9fe0);
@@ -312,7 +312,7 @@ pub(super) fn scanner(a: &Ask) -> Model {
 }
 
 /// A cart with a screen on an arm, a desk of keys and probes in their holders.
-pub(super) fn ultrasound(a: &Ask) -> Model {
+pub(super) fn ultrasound(a: &Ask) -> BuiltModel {
     let shell = a.main(stuff::WHITE);
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -350,7 +350,7 @@ pub(super) fn ultrasound(a: &Ask) -> Model {
 }
 
 /// A stand with an arm: the tube above, the plate below.
-pub(super) fn x_ray(a: &Ask) -> Model {
+pub(super) fn x_ray(a: &Ask) -> BuiltModel {
     let shell = a.main(stuff::WHITE);
     let steel = stuff::STEEL.surface();
     headed(a, |mesh| {

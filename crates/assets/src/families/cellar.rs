@@ -3,7 +3,7 @@
 use crate::ask::Ask;
 use crate::block::{Block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// The bottom of a bottle that lies in a rack, seen from +z, as an octagon in (x, y).
@@ -16,8 +16,8 @@ fn octagon(b: Block) -> Vec<(f64, f64)> {
 }
 
 /// A frame of pigeonholes with a bottle lying in most of them.
-pub(super) fn wine_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn wine_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::OAK);
@@ -51,8 +51,8 @@ pub(super) fn wine_rack(a: &Ask) -> Model {
 }
 
 /// A round iron pot with a rim on three feet, and what boils in it.
-pub(super) fn cauldron(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cauldron(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let iron = a.main(stuff::BLACK_STEEL);
     let belly = b.share(0.0..1.0, 0.12..1.0, 0.0..1.0);

@@ -4,11 +4,11 @@ use super::strokes::{at, blade, cone, headed, long, of, small};
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// Two bulbs of glass with sand, between plates on posts.
-pub(super) fn hourglass(a: &Ask) -> Model {
+pub(super) fn hourglass(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::WALNUT);
     let sand = of(Finish::Soil, 0xd9b36a);
     small(a, |mesh| {
@@ -27,7 +27,7 @@ pub(super) fn hourglass(a: &Ask) -> Model {
 }
 
 /// A vase of glass, a stem, a bowl, and the hose.
-pub(super) fn hookah(a: &Ask) -> Model {
+pub(super) fn hookah(a: &Ask) -> BuiltModel {
     let glass = a.main(Stuff(Finish::Glass, 0x3f5fa0));
     let brass = stuff::BRASS.surface();
     small(a, |mesh| {
@@ -64,8 +64,8 @@ pub(super) fn hookah(a: &Ask) -> Model {
 }
 
 /// A box of steel with a door, a dial and a wheel to open it.
-pub(super) fn safe(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn safe(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let steel = a.main(Stuff(Finish::Paint, 0x4a5257));
     let (chrome, dark) = (stuff::CHROME.surface(), stuff::DARK_PLASTIC.surface());
@@ -105,7 +105,7 @@ pub(super) fn safe(a: &Ask) -> Model {
 }
 
 /// A blade, a guard, a grip and a pommel; its point is down where it hangs.
-pub(super) fn sword(a: &Ask) -> Model {
+pub(super) fn sword(a: &Ask) -> BuiltModel {
     let steel = a.main(Stuff(Finish::Metal, 0xb4bac0));
     let brass = stuff::BRASS.surface();
     long(a, |mesh| {
@@ -128,7 +128,7 @@ pub(super) fn sword(a: &Ask) -> Model {
 }
 
 /// A shield with a point below, a cross and a boss.
-pub(super) fn shield(a: &Ask) -> Model {
+pub(super) fn shield(a: &Ask) -> BuiltModel {
     let paint = a.main(Stuff(Finish::Paint, 0x9c2b2e));
     let steel = stuff::STEEL.surface();
     small(a, |mesh| {
@@ -156,7 +156,7 @@ pub(super) fn shield(a: &Ask) -> Model {
 }
 
 /// A skull that looks to +z.
-pub(super) fn skull(a: &Ask) -> Model {
+pub(super) fn skull(a: &Ask) -> BuiltModel {
     let bone = a.main(Stuff(Finish::Ceramic, 0xdccfae));
     let dark = of(Finish::Paint, 0x2b2420);
     small(a, |mesh| {
@@ -175,7 +175,7 @@ pub(super) fn skull(a: &Ask) -> Model {
 }
 
 /// Two tubes with a bridge.
-pub(super) fn binoculars(a: &Ask) -> Model {
+pub(super) fn binoculars(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     headed(a, |mesh| {
         for x in [-0.36, 0.36] {
@@ -192,7 +192,7 @@ pub(super) fn binoculars(a: &Ask) -> Model {
 }
 
 /// A barrel with marks, a plunger and a needle; a pipette has a bulb and a long point.
-pub(super) fn syringe(a: &Ask) -> Model {
+pub(super) fn syringe(a: &Ask) -> BuiltModel {
     let pipette = a.says(&["pipette", "dropper"]);
     let glass = a.main(stuff::GLASS);
     let steel = stuff::STEEL.surface();
@@ -230,7 +230,7 @@ pub(super) fn syringe(a: &Ask) -> Model {
 }
 
 /// Houses and trees of card on a board.
-pub(super) fn architectural_model(a: &Ask) -> Model {
+pub(super) fn architectural_model(a: &Ask) -> BuiltModel {
     let card = a.main(Stuff(Finish::Paper, 0xded8cb));
     let leaf = stuff::LEAF.surface();
     small(a, |mesh| {
@@ -271,7 +271,7 @@ pub(super) fn architectural_model(a: &Ask) -> Model {
 }
 
 /// A shackle and a body with a keyhole.
-pub(super) fn padlock(a: &Ask) -> Model {
+pub(super) fn padlock(a: &Ask) -> BuiltModel {
     let brass = a.main(Stuff(Finish::Brass, 0xc9a040));
     small(a, |mesh| {
         mesh.rounded(block(-0.5..0.5, 0.0..0.9, -0.2..0.2), 0.08, 2, &brass);
@@ -291,7 +291,7 @@ pub(super) fn padlock(a: &Ask) -> Model {
 }
 
 /// Four triangles that meet in a point, with the courses of its stones.
-pub(super) fn pyramid(a: &Ask) -> Model {
+pub(super) fn pyramid(a: &Ask) -> BuiltModel {
     let stone = a.main(Stuff(Finish::Stone, 0xcfa860));
     small(a, |mesh| {
         mesh.taper(block(-1.0..1.0, 0.0..0.01, -1.0..1.0), block(-0.004..0.004, 1.49..1.5, -0.004..0.004), &stone);
@@ -299,7 +299,7 @@ pub(super) fn pyramid(a: &Ask) -> Model {
 }
 
 /// A balloon on its string.
-pub(super) fn balloon(a: &Ask) -> Model {
+pub(super) fn balloon(a: &Ask) -> BuiltModel {
     let skin = a.main(Stuff(Finish::Rubber, 0xd8403f));
     small(a, |mesh| {
         mesh.lathe(
@@ -318,7 +318,7 @@ pub(super) fn balloon(a: &Ask) -> Model {
 }
 
 /// A sack with a tied neck, full.
-pub(super) fn sack(a: &Ask) -> Model {
+pub(super) fn sack(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Fabric, 0xb99a6b));
     small(a, |mesh| {
         let body = [

@@ -5,7 +5,7 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use crate::words::Dice;
 use scenelang_layout::Vec3;
 use std::f64::consts::TAU;
@@ -37,7 +37,7 @@ impl Leaf {
 }
 
 /// The pot of a plant: filled box, soil set in; returns the height of the soil.
-fn pot(m: &mut Model, b: Block, s: &Surface) -> f64 {
+fn pot(m: &mut BuiltModel, b: Block, s: &Surface) -> f64 {
     m.solid_drum(b);
     let size = b.size();
     m.mesh.lathe(
@@ -52,8 +52,8 @@ fn pot(m: &mut Model, b: Block, s: &Surface) -> f64 {
 }
 
 /// Potted plants and trees: broad leaves, palms, blades, cactuses, clouds of foliage, by words and size.
-pub(super) fn plant(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn plant(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Ceramic, 0xe9e6df));
@@ -209,8 +209,8 @@ fn blossoms(mesh: &mut Mesh, crown: Block, dice: &mut Dice) {
 }
 
 /// Vases, and the flowers in them where the word asks.
-pub(super) fn vase(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn vase(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Ceramic, 0x8fb0ad));
     let flowers = a.says(&["flower", "bouquet", "rose", "tulip", "peony", "floral"]);
@@ -261,8 +261,8 @@ const BOTTLES: &[Stuff] = &[
 ];
 
 /// Bottles: a body, a neck, a cap.
-pub(super) fn bottle(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bottle(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     // Bottles on a shelf are not all alike.
     let usual = match () {
         () if a.says(&["ketchup"]) => Stuff(Finish::Plastic, 0xb8281f),
@@ -288,8 +288,8 @@ pub(super) fn bottle(a: &Ask) -> Model {
 }
 
 /// Cups and drinking glasses; wide ones have a handle on the right.
-pub(super) fn cup(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cup(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let glass = a.says(&["glass", "wineglass", "tumbler"]);
     let main = a.main(if glass { stuff::GLASS } else { stuff::CERAMIC });
     let b = a.whole();
@@ -328,8 +328,8 @@ pub(super) fn cup(a: &Ask) -> Model {
 }
 
 /// Plates and bowls.
-pub(super) fn dish(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn dish(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::CERAMIC);
     let flat = a.h < 0.25 * a.w.min(a.d);
     let turned: &[(f64, f64)] = if flat {
@@ -353,8 +353,8 @@ pub(super) fn dish(a: &Ask) -> Model {
 }
 
 /// Pots and pans: a steel body, handles left and right, a lid.
-pub(super) fn pan(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn pan(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::STEEL);
     let b = a.whole();
     let body = b.inset(0.1 * a.w, 0.0, 0.0).y(0.0..0.84 * a.h);
@@ -368,8 +368,8 @@ pub(super) fn pan(a: &Ask) -> Model {
 }
 
 /// One book lying flat, or a small pile of them.
-pub(super) fn book(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn book(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     m.solid(b);
@@ -404,7 +404,7 @@ pub(super) fn book(a: &Ask) -> Model {
 }
 
 /// A book or a binder that stands with its spine to +z.
-fn standing(mut m: Model, a: &Ask) -> Model {
+fn standing(mut m: BuiltModel, a: &Ask) -> BuiltModel {
     const COLORS: [u32; 7] = [0x2f4b66, 0x8c3b33, 0x4f6b52, 0xc79a4a, 0x7a5470, 0xd9d2c0, 0x37393d];
     let (b, mut dice) = (a.whole(), a.dice());
     let picked = Stuff(Finish::Paper, *dice.pick(&COLORS)).surface();
@@ -418,8 +418,8 @@ fn standing(mut m: Model, a: &Ask) -> Model {
 }
 
 /// Sheets of paper, a little askew on top.
-pub(super) fn paper(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn paper(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.main(if a.says(&["blueprint"]) { Stuff(Finish::Paper, 0x3f6fa8) } else { stuff::PAPER });
@@ -431,8 +431,8 @@ pub(super) fn paper(a: &Ask) -> Model {
 }
 
 /// A round clock for the wall; tall ones stand on the floor in a case.
-pub(super) fn clock(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn clock(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WALNUT);
     let face = Stuff(Finish::Paper, 0xfaf8f2).surface();
@@ -456,7 +456,7 @@ pub(super) fn clock(a: &Ask) -> Model {
         let c = 0.87 * a.h;
         let r_y = r.min(0.11 * a.h);
         let dial = block(-r..r, c - r_y..c + r_y, b.max.z - 0.08 * a.d..b.max.z);
-        let mut sub = Model::default();
+        let mut sub = BuiltModel::default();
         disc(&mut sub, dial, &stuff::BRASS.surface(), &face);
         m.mesh.stretch(dial, |mesh| *mesh = sub.mesh);
         dial
@@ -488,8 +488,8 @@ pub(super) fn clock(a: &Ask) -> Model {
 }
 
 /// A figure on a plinth.
-pub(super) fn statue(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn statue(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Stone, 0xe3dfd6));
     let foot = 0.3 * a.h;
@@ -515,8 +515,8 @@ pub(super) fn statue(a: &Ask) -> Model {
 }
 
 /// A person in plain shapes, standing: mannequins, and stand-ins for people.
-pub(super) fn person(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn person(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Plastic, 0xd9d5cd));
     // A mannequin shows what it wears.
@@ -551,8 +551,8 @@ pub(super) fn person(a: &Ask) -> Model {
 }
 
 /// A globe on a stand, or any ball, flat where it rests.
-pub(super) fn ball(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn ball(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let globe = a.says(&["globe", "world"]);
     let main = a.main(if globe { Stuff(Finish::Plastic, 0x3f7fb0) } else { Stuff(Finish::Rubber, 0xd96a3a) });
@@ -572,8 +572,8 @@ pub(super) fn ball(a: &Ask) -> Model {
 }
 
 /// Water, gravel and weed behind glass, on a stand where it is high.
-pub(super) fn aquarium(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn aquarium(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let low = if a.h > 0.9 { 0.5 * a.h } else { 0.06 * a.h };
@@ -601,8 +601,8 @@ pub(super) fn aquarium(a: &Ask) -> Model {
 }
 
 /// A parasol: a foot, a pole, a canopy.
-pub(super) fn parasol(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn parasol(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::LINEN);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -617,8 +617,8 @@ pub(super) fn parasol(a: &Ask) -> Model {
 }
 
 /// A loaf with cuts across its crust.
-pub(super) fn bread(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bread(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let crust = a.main(Stuff(Finish::Ceramic, 0xb9783a));
     let round = 0.45 * a.h.min(a.w).min(a.d);

@@ -4,11 +4,11 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A lit display with a few windows on it, on the front of `b` (its whole depth is used).
-fn display(m: &mut Model, b: Block, busy: bool) {
+fn display(m: &mut BuiltModel, b: Block, busy: bool) {
     let size = b.size();
     m.mesh.crisp(b.z(b.min.z..b.min.z + 0.4 * size.z), &stuff::SCREEN.surface());
     if !busy {
@@ -35,8 +35,8 @@ fn display(m: &mut Model, b: Block, busy: bool) {
 }
 
 /// Monitors and televisions: a panel on a foot; where it is too shallow for a foot, or hung, the panel alone.
-pub(super) fn monitor(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn monitor(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.tinted(stuff::DARK_PLASTIC);
     let tv = a.says(&["tv", "television", "signage", "display", "directory"]);
@@ -67,8 +67,8 @@ pub(super) fn monitor(a: &Ask) -> Model {
 }
 
 /// A laptop: open, its lid leaning back; closed if it is flat.
-pub(super) fn laptop(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn laptop(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Metal, 0xb9bdc2));
     if a.h < 0.12 * a.d {
@@ -113,7 +113,7 @@ pub(super) fn laptop(a: &Ask) -> Model {
 }
 
 /// Rows of keys that fill a thin box.
-fn keys(m: &mut Model, b: Block, rows: usize, columns: usize, s: &Surface) {
+fn keys(m: &mut BuiltModel, b: Block, rows: usize, columns: usize, s: &Surface) {
     for row in b.split(2, rows, 0.004) {
         for key in row.split(0, columns, 0.004) {
             m.mesh.crisp(key, s);
@@ -122,8 +122,8 @@ fn keys(m: &mut Model, b: Block, rows: usize, columns: usize, s: &Surface) {
 }
 
 /// A keyboard with rows of keys.
-pub(super) fn keyboard(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn keyboard(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     m.solid(b);
@@ -133,8 +133,8 @@ pub(super) fn keyboard(a: &Ask) -> Model {
 }
 
 /// Small things held in the hand: mice, phones, remote controls.
-pub(super) fn gadget(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn gadget(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     m.solid(b);
@@ -148,8 +148,8 @@ pub(super) fn gadget(a: &Ask) -> Model {
 }
 
 /// A computer's case, with a light and slots on its front.
-pub(super) fn computer(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn computer(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     m.solid(b);
@@ -163,8 +163,8 @@ pub(super) fn computer(a: &Ask) -> Model {
 }
 
 /// Desk printers, and copiers that stand on the floor with paper drawers.
-pub(super) fn printer(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn printer(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::PLASTIC);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -196,8 +196,8 @@ pub(super) fn printer(a: &Ask) -> Model {
 }
 
 /// A projector; its lens looks to +z.
-pub(super) fn projector(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn projector(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::PLASTIC);
     let deep = 0.1 * a.d;
@@ -241,8 +241,8 @@ pub(super) fn projector(a: &Ask) -> Model {
 }
 
 /// A loudspeaker with its cones.
-pub(super) fn speaker(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn speaker(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     m.solid(b);
@@ -267,8 +267,8 @@ pub(super) fn speaker(a: &Ask) -> Model {
 }
 
 /// A till: a slanted body with keys, a display on a neck.
-pub(super) fn till(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn till(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -287,8 +287,8 @@ pub(super) fn till(a: &Ask) -> Model {
 }
 
 /// Tall machines with a lit face: vending, cash, tickets, games, information.
-pub(super) fn kiosk(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn kiosk(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let vending = a.says(&["vending", "snack", "drink", "beverage"]);
     let main = a.main(if vending { Stuff(Finish::Paint, 0xa8322c) } else { Stuff(Finish::Paint, 0x3b4754) });
@@ -333,8 +333,8 @@ pub(super) fn kiosk(a: &Ask) -> Model {
 }
 
 /// Boxes with a panel and a display: laboratory and office machines without a family of their own.
-pub(super) fn device(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn device(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::PLASTIC);
     m.solid(b);

@@ -4,13 +4,13 @@ use crate::ask::Ask;
 use crate::block::{Block, pieces};
 use crate::looks::{Finish, Stuff, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// The way in is so wide (metres).
 const GATE: f64 = 0.9;
 
 /// Posts, rails and bars of one side, along x (0) or z (2).
-fn side(m: &mut Model, b: Block, axis: usize, posts: &Surface, bars: &Surface) {
+fn side(m: &mut BuiltModel, b: Block, axis: usize, posts: &Surface, bars: &Surface) {
     m.solid(b);
     let along = |from: f64, to: f64| match axis {
         0 => b.share(from..to, 0.0..1.0, 0.0..1.0),
@@ -38,8 +38,8 @@ fn side(m: &mut Model, b: Block, axis: usize, posts: &Surface, bars: &Surface) {
 }
 
 /// Four sides, with a gap in the front one (+z) to go in by.
-pub(super) fn enclosure(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn enclosure(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let posts = a.main(Stuff(Finish::Paint, 0xe3b52a));
     let bars = a.second(stuff::BLACK_STEEL);

@@ -3,11 +3,11 @@
 use crate::ask::Ask;
 use crate::block::pieces;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// Three walls, a seat, a mirror, and a curtain that is drawn half-way.
-pub(super) fn fitting_room(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn fitting_room(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wall = a.main(Stuff(Finish::Paint, 0xe9e4da));
     let cloth = a.second(Stuff(Finish::Velvet, 0x8c5560));
@@ -29,9 +29,9 @@ pub(super) fn fitting_room(a: &Ask) -> Model {
 }
 
 /// Folded shirts and sweaters, one on the other.
-pub(super) fn folded(a: &Ask) -> Model {
+pub(super) fn folded(a: &Ask) -> BuiltModel {
     const COLORS: [u32; 8] = [0xe9e5dc, 0x31445c, 0x9a4b43, 0x6f8264, 0xc9a867, 0x7a6a86, 0xb9bec4, 0x2c2e33];
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     m.solid(b);
@@ -48,8 +48,8 @@ pub(super) fn folded(a: &Ask) -> Model {
 }
 
 /// A door that goes up: a frame, and sections one over the other.
-pub(super) fn garage_door(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn garage_door(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.main(Stuff(Finish::Metal, 0xc9cdd0));
@@ -74,8 +74,8 @@ pub(super) fn garage_door(a: &Ask) -> Model {
 }
 
 /// A column with taps over a tray, and a bottle upside down on it.
-pub(super) fn water_dispenser(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn water_dispenser(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::PLASTIC);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -95,8 +95,8 @@ pub(super) fn water_dispenser(a: &Ask) -> Model {
 }
 
 /// Two wheels, a plate to lift with, and a frame to hold.
-pub(super) fn hand_truck(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn hand_truck(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::RED);
     m.board(b.share(0.12..0.88, 0.0..0.025, 0.4..1.0), &stuff::STEEL.surface());
@@ -116,8 +116,8 @@ pub(super) fn hand_truck(a: &Ask) -> Model {
 }
 
 /// A panel with tools that hang on it.
-pub(super) fn tool_board(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn tool_board(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.main(Stuff(Finish::Paint, 0xd8c9a8));

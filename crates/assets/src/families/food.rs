@@ -5,12 +5,12 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// Fruit with a stalk, each in its own shape and colour.
-pub(super) fn apple(a: &Ask) -> Model {
+pub(super) fn apple(a: &Ask) -> BuiltModel {
     let skin = |color: u32| a.main(Stuff(Finish::Ceramic, color));
     small(a, |mesh| {
         if a.says(&["pear"]) {
@@ -116,7 +116,7 @@ fn round_fruit(mesh: &mut Mesh, skin: &Surface) {
 }
 
 /// What is eaten from the hand or a plate: a sandwich, a hamburger, a pie, pancakes, a cookie, a wheel of cheese.
-pub(super) fn sandwich(a: &Ask) -> Model {
+pub(super) fn sandwich(a: &Ask) -> BuiltModel {
     let crust = a.main(Stuff(Finish::Ceramic, 0xc98f4a));
     small(a, |mesh| {
         if a.says(&["hamburger", "burger"]) {
@@ -222,7 +222,7 @@ fn slices(mesh: &mut Mesh, crust: &Surface) {
 }
 
 /// Jars, tins and cans with a lid; glass shows what is in it.
-pub(super) fn jar(a: &Ask) -> Model {
+pub(super) fn jar(a: &Ask) -> BuiltModel {
     let lid = a.second(Stuff(Finish::Metal, 0xb5a06a));
     let inside = if a.says(&["honey"]) {
         Some(0xd08a1f)
@@ -300,7 +300,7 @@ pub(super) fn jar(a: &Ask) -> Model {
 }
 
 /// Shakers with holes, mills with a knob, and the one for drinks.
-pub(super) fn shaker(a: &Ask) -> Model {
+pub(super) fn shaker(a: &Ask) -> BuiltModel {
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
         if a.says(&["mill", "grinder"]) {
@@ -360,7 +360,7 @@ pub(super) fn shaker(a: &Ask) -> Model {
 }
 
 /// A bowl of stone and what grinds in it.
-pub(super) fn mortar(a: &Ask) -> Model {
+pub(super) fn mortar(a: &Ask) -> BuiltModel {
     let stone = a.main(Stuff(Finish::Stone, 0x8d8a84));
     small(a, |mesh| {
         let bowl =
@@ -381,7 +381,7 @@ pub(super) fn mortar(a: &Ask) -> Model {
 }
 
 /// A dome of glass with a knob over a plate.
-pub(super) fn cheese_dome(a: &Ask) -> Model {
+pub(super) fn cheese_dome(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::OAK);
     small(a, |mesh| {
         mesh.drum(block(-1.0..1.0, 0.0..0.14, -1.0..1.0), &wood);

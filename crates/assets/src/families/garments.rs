@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A coat or a jacket on a hanger.
-pub(super) fn garment(a: &Ask) -> Model {
+pub(super) fn garment(a: &Ask) -> BuiltModel {
     let white = a.says(&["lab"]);
     let cloth = a.main(if white {
         stuff::SHEET
@@ -63,7 +63,7 @@ pub(super) fn garment(a: &Ask) -> Model {
 }
 
 /// Bags: with handles and a zip, of clubs, of laundry with a cord, small ones for make-up.
-pub(super) fn bag(a: &Ask) -> Model {
+pub(super) fn bag(a: &Ask) -> BuiltModel {
     if a.says(&["golf"]) {
         return golf_bag(a);
     }
@@ -108,7 +108,7 @@ pub(super) fn bag(a: &Ask) -> Model {
 }
 
 /// A tube with a pocket and a strap; clubs look out of it.
-fn golf_bag(a: &Ask) -> Model {
+fn golf_bag(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Fabric, 0x2f5f4a));
     let (trim, steel) = (shade(&cloth, 0.6), stuff::CHROME.surface());
     small(a, |mesh| {
@@ -141,7 +141,7 @@ fn golf_bag(a: &Ask) -> Model {
 }
 
 /// A doll in a dress, with hair and a face.
-pub(super) fn doll(a: &Ask) -> Model {
+pub(super) fn doll(a: &Ask) -> BuiltModel {
     let dress = a.main(Stuff(Finish::Fabric, 0xd0567f));
     let (skin, hair) = (of(Finish::Plastic, 0xe8b898), of(Finish::Fabric, 0x8a5a2a));
     small(a, |mesh| {
@@ -180,7 +180,7 @@ pub(super) fn doll(a: &Ask) -> Model {
 }
 
 /// A torso of linen on a turned stand.
-pub(super) fn dress_form(a: &Ask) -> Model {
+pub(super) fn dress_form(a: &Ask) -> BuiltModel {
     let linen = a.main(stuff::LINEN);
     let wood = a.second(stuff::WALNUT);
     small(a, |mesh| {
@@ -226,7 +226,7 @@ pub(super) fn dress_form(a: &Ask) -> Model {
 }
 
 /// A heavy roll of leather on chains.
-pub(super) fn punching_bag(a: &Ask) -> Model {
+pub(super) fn punching_bag(a: &Ask) -> BuiltModel {
     let leather = a.main(Stuff(Finish::Leather, 0x8a2a24));
     let steel = stuff::STEEL.surface();
     small(a, |mesh| {
@@ -258,7 +258,7 @@ fn chain(mesh: &mut Mesh, from: Vec3, to: Vec3, s: &Surface) {
 }
 
 /// A pole on a foot, with a ball on top and a cloth that falls in folds.
-pub(super) fn flag(a: &Ask) -> Model {
+pub(super) fn flag(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Fabric, 0x2f4f9f));
     let brass = stuff::BRASS.surface();
     small(a, |mesh| {
@@ -292,7 +292,7 @@ pub(super) fn flag(a: &Ask) -> Model {
 }
 
 /// A plate with hooks; keys hang on those of a holder.
-pub(super) fn hook(a: &Ask) -> Model {
+pub(super) fn hook(a: &Ask) -> BuiltModel {
     let holder = a.says(&["key", "holder"]);
     let plate = a.main(if holder { stuff::OAK } else { stuff::BRASS });
     let brass = stuff::BRASS.surface();
@@ -321,7 +321,7 @@ pub(super) fn hook(a: &Ask) -> Model {
 }
 
 /// A board on three legs with a pad of paper that is written on.
-pub(super) fn flip_chart(a: &Ask) -> Model {
+pub(super) fn flip_chart(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::GRAY);
     small(a, |mesh| {
         mesh.rod(at(0.0, 2.7, -0.1), at(0.0, 0.0, -0.75), 0.03, &steel);

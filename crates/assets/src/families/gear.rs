@@ -5,7 +5,7 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// A lens that looks to the front, from its edge in.
@@ -16,7 +16,7 @@ fn lens(mesh: &mut Mesh, [x, y, z]: [f64; 3], r: f64, s: &Surface) {
 }
 
 /// A camera on a wall bracket; on a foot where it films who sits before it; to take pictures with, where it is just a camera.
-pub(super) fn camera(a: &Ask) -> Model {
+pub(super) fn camera(a: &Ask) -> BuiltModel {
     let watches = a.says(&["security", "cctv", "surveillance"]);
     let case = a.main(if watches { stuff::WHITE } else { stuff::DARK_PLASTIC });
     let dark = stuff::DARK_PLASTIC.surface();
@@ -51,7 +51,7 @@ pub(super) fn camera(a: &Ask) -> Model {
 }
 
 /// Two grips with sticks, a cross and four buttons.
-pub(super) fn game_controller(a: &Ask) -> Model {
+pub(super) fn game_controller(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     small(a, |mesh| {
         mesh.rounded(block(-0.8..0.8, 0.3..0.62, -0.5..0.3), 0.14, 3, &case);
@@ -81,7 +81,7 @@ pub(super) fn game_controller(a: &Ask) -> Model {
 }
 
 /// A flat box with a slot for discs, and lights.
-pub(super) fn game_console(a: &Ask) -> Model {
+pub(super) fn game_console(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     small(a, |mesh| {
         mesh.rounded(block(-1.0..1.0, 0.06..0.3, -0.8..0.8), 0.05, 1, &case);
@@ -96,7 +96,7 @@ pub(super) fn game_console(a: &Ask) -> Model {
 }
 
 /// A flat case with antennas and a row of lights; for a ceiling a disc with a ring of light.
-pub(super) fn router(a: &Ask) -> Model {
+pub(super) fn router(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     if a.says(&["access", "point"]) {
         return small(a, |mesh| {
@@ -127,7 +127,7 @@ pub(super) fn router(a: &Ask) -> Model {
 }
 
 /// A plate to stand on with a dial; for a kitchen with a bowl over a display; a balance has a beam with two pans.
-pub(super) fn scale(a: &Ask) -> Model {
+pub(super) fn scale(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     if a.says(&["balance"]) {
@@ -176,7 +176,7 @@ pub(super) fn scale(a: &Ask) -> Model {
 }
 
 /// A case with two poles, plus and minus.
-pub(super) fn battery(a: &Ask) -> Model {
+pub(super) fn battery(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     small(a, |mesh| {
         mesh.rounded(block(-1.0..1.0, 0.0..1.1, -0.6..0.6), 0.05, 1, &case);
@@ -194,7 +194,7 @@ pub(super) fn battery(a: &Ask) -> Model {
 }
 
 /// A case with an antenna, a grille and a display.
-pub(super) fn walkie_talkie(a: &Ask) -> Model {
+pub(super) fn walkie_talkie(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Plastic, 0xd9a33a));
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -214,7 +214,7 @@ pub(super) fn walkie_talkie(a: &Ask) -> Model {
 }
 
 /// A tube that leans over a stage, on a curved arm and a heavy foot.
-pub(super) fn microscope(a: &Ask) -> Model {
+pub(super) fn microscope(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::WHITE);
     let dark = stuff::DARK_PLASTIC.surface();
     let steel = stuff::CHROME.surface();
@@ -242,7 +242,7 @@ pub(super) fn microscope(a: &Ask) -> Model {
 }
 
 /// Plates on a wall with what is worked there: a rocker, holes, a dial, a button, a speaker or a reader.
-pub(super) fn wall_switch(a: &Ask) -> Model {
+pub(super) fn wall_switch(a: &Ask) -> BuiltModel {
     let plate = a.main(stuff::WHITE);
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -303,7 +303,7 @@ fn bell(mesh: &mut Mesh, s: &Surface) {
 }
 
 /// A frame with slats.
-pub(super) fn vent(a: &Ask) -> Model {
+pub(super) fn vent(a: &Ask) -> BuiltModel {
     let metal = a.main(stuff::WHITE);
     small(a, |mesh| {
         mesh.crisp(block(-0.88..0.88, -0.88..0.88, 0.03..0.1), &stuff::DARK_PLASTIC.surface());
@@ -325,7 +325,7 @@ pub(super) fn vent(a: &Ask) -> Model {
 }
 
 /// A pipe from the ceiling, a frame with a red bulb, and the plate that spreads the water.
-pub(super) fn sprinkler(a: &Ask) -> Model {
+pub(super) fn sprinkler(a: &Ask) -> BuiltModel {
     let brass = a.main(stuff::BRASS);
     small(a, |mesh| {
         mesh.drum(block(-1.0..1.0, 0.9..1.0, -1.0..1.0), &stuff::WHITE.surface());
@@ -344,7 +344,7 @@ pub(super) fn sprinkler(a: &Ask) -> Model {
 }
 
 /// A round dial with hands: on a band, or with a crown to stop it.
-pub(super) fn watch(a: &Ask) -> Model {
+pub(super) fn watch(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::CHROME);
     let dark = stuff::DARK_PLASTIC.surface();
     if a.says(&["sundial"]) {
@@ -392,8 +392,8 @@ pub(super) fn watch(a: &Ask) -> Model {
 }
 
 /// A gate of two posts and a head that one walks through.
-pub(super) fn metal_detector(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn metal_detector(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let case = a.main(stuff::GRAY);
     for side in b.share(0.0..0.14, 0.0..1.0, 0.0..1.0).both_sides() {
@@ -410,7 +410,7 @@ pub(super) fn metal_detector(a: &Ask) -> Model {
 }
 
 /// A ball of small mirrors on a chain.
-pub(super) fn disco_ball(a: &Ask) -> Model {
+pub(super) fn disco_ball(a: &Ask) -> BuiltModel {
     let silver = a.main(stuff::MIRROR);
     small(a, |mesh| {
         mesh.lathe(block(-0.97..0.97, -0.97..0.97, -0.97..0.97), &crate::shapes::sphere(8), 16, &shade(&silver, 0.5));
@@ -432,7 +432,7 @@ pub(super) fn disco_ball(a: &Ask) -> Model {
 }
 
 /// A ribbon with a disc.
-pub(super) fn medal(a: &Ask) -> Model {
+pub(super) fn medal(a: &Ask) -> BuiltModel {
     let gold = a.main(stuff::BRASS);
     small(a, |mesh| {
         for (side, color) in [(-1.0, 0x2f4f9f), (1.0, 0xb8322c)] {

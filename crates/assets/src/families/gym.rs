@@ -6,13 +6,13 @@ use crate::ask::Ask;
 use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 const VINYL: Stuff = Stuff(Finish::Leather, 0x26282b);
 
 /// A stack of plates in a frame, cables over wheels to a bar, and a seat below it.
-pub(super) fn cable_machine(a: &Ask) -> Model {
+pub(super) fn cable_machine(a: &Ask) -> BuiltModel {
     let frame = a.main(Stuff(Finish::Paint, 0xc9ccd0));
     let (dark, vinyl, steel) = (stuff::BLACK_STEEL.surface(), VINYL.surface(), stuff::CHROME.surface());
     headed(a, |mesh| {
@@ -46,7 +46,7 @@ pub(super) fn cable_machine(a: &Ask) -> Model {
 }
 
 /// A seat that leans back, and a plate for the feet on a sledge with weights.
-pub(super) fn leg_press(a: &Ask) -> Model {
+pub(super) fn leg_press(a: &Ask) -> BuiltModel {
     let frame = a.main(Stuff(Finish::Paint, 0xc9ccd0));
     let (dark, vinyl) = (stuff::BLACK_STEEL.surface(), VINYL.surface());
     headed(a, |mesh| {
@@ -78,7 +78,7 @@ pub(super) fn leg_press(a: &Ask) -> Model {
 }
 
 /// Two pedals on arms before a console on a mast, with rails to hold.
-pub(super) fn stepper(a: &Ask) -> Model {
+pub(super) fn stepper(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     let steel = stuff::STEEL.surface();
     headed(a, |mesh| {
@@ -103,7 +103,7 @@ pub(super) fn stepper(a: &Ask) -> Model {
 }
 
 /// A table whose long side is along x in a wide box, along z in a deep one; drawn along z.
-fn long_table(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
+fn long_table(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> BuiltModel {
     headed(a, draw)
 }
 
@@ -123,7 +123,7 @@ fn case(mesh: &mut Mesh, wood: &Surface, field: &Surface) {
 }
 
 /// Rods with figures over a green field.
-pub(super) fn foosball(a: &Ask) -> Model {
+pub(super) fn foosball(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::WALNUT);
     let steel = stuff::CHROME.surface();
     long_table(a, |mesh| {
@@ -161,7 +161,7 @@ pub(super) fn foosball(a: &Ask) -> Model {
 }
 
 /// A white field with holes and lines, two mallets and a puck.
-pub(super) fn air_hockey(a: &Ask) -> Model {
+pub(super) fn air_hockey(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Plastic, 0x2f5fa8));
     let red = stuff::RED.surface();
     long_table(a, |mesh| {
@@ -183,7 +183,7 @@ pub(super) fn air_hockey(a: &Ask) -> Model {
 }
 
 /// A wheel in one end of a table of green cloth with fields; dice and chips where it is for craps.
-pub(super) fn roulette_table(a: &Ask) -> Model {
+pub(super) fn roulette_table(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::WALNUT);
     let craps = a.says(&["crap"]);
     let white = stuff::WHITE.surface();
@@ -263,7 +263,7 @@ fn wheel(mesh: &mut Mesh, wood: &Surface) {
 }
 
 /// A sloping field under glass on legs, and a head that shines behind it.
-pub(super) fn pinball(a: &Ask) -> Model {
+pub(super) fn pinball(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Paint, 0x6f2f8f));
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {

@@ -7,11 +7,11 @@ use crate::block::block;
 use crate::loft::oval;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Mesh;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// A roll of paper with its hole; on a bracket for a wall where it is a holder.
-pub(super) fn toilet_paper(a: &Ask) -> Model {
+pub(super) fn toilet_paper(a: &Ask) -> BuiltModel {
     let paper = a.main(stuff::SHEET);
     let tube = of(Finish::Paper, 0xa8845c);
     if a.says(&["holder"]) {
@@ -39,7 +39,7 @@ pub(super) fn toilet_paper(a: &Ask) -> Model {
 }
 
 /// A handle in a pot, the bristles just seen.
-pub(super) fn toilet_brush(a: &Ask) -> Model {
+pub(super) fn toilet_brush(a: &Ask) -> BuiltModel {
     let pot = a.main(stuff::CERAMIC);
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -67,7 +67,7 @@ pub(super) fn toilet_brush(a: &Ask) -> Model {
 }
 
 /// A low bowl with a tap; one in the floor with places for the feet; a small pot with a back for children.
-pub(super) fn bidet(a: &Ask) -> Model {
+pub(super) fn bidet(a: &Ask) -> BuiltModel {
     let white = a.main(if a.says(&["potty"]) { Stuff(Finish::Plastic, 0x6fa8d0) } else { stuff::CERAMIC });
     let inside = shade(&white, 0.8);
     let steel = stuff::CHROME.surface();
@@ -121,7 +121,7 @@ pub(super) fn bidet(a: &Ask) -> Model {
 }
 
 /// A layered cake with cream and cherries; on a foot with a rim; a pizza; a plate of food.
-pub(super) fn cake(a: &Ask) -> Model {
+pub(super) fn cake(a: &Ask) -> BuiltModel {
     if a.says(&["pizza"]) {
         let crust = a.main(Stuff(Finish::Soil, 0xc98f4c));
         return small(a, |mesh| {
@@ -218,7 +218,7 @@ fn spread(mesh: &mut Mesh, count: u32, out: f64, y: f64, r: f64, s: &crate::mesh
 }
 
 /// An iron box on legs with a fire behind glass, and its pipe.
-pub(super) fn wood_stove(a: &Ask) -> Model {
+pub(super) fn wood_stove(a: &Ask) -> BuiltModel {
     let iron = a.main(stuff::BLACK_STEEL);
     small(a, |mesh| {
         for leg in block(-0.7..-0.56, 0.0..0.32, 0.36..0.5).four_corners() {
@@ -246,10 +246,10 @@ pub(super) fn wood_stove(a: &Ask) -> Model {
 }
 
 /// A long seat whose back rises at one end.
-pub(super) fn chaise(a: &Ask) -> Model {
+pub(super) fn chaise(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Velvet, 0x5f7a6f));
     let wood = a.legs(&cloth);
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.legs(b.share(0.06..0.94, 0.0..0.2, 0.04..0.96), 0.05, &wood);
     m.cushion(b.share(0.0..1.0, 0.18..0.36, 0.0..1.0), &shade(&cloth, 0.85));
@@ -261,7 +261,7 @@ pub(super) fn chaise(a: &Ask) -> Model {
 }
 
 /// A pot with umbrellas.
-pub(super) fn umbrella_stand(a: &Ask) -> Model {
+pub(super) fn umbrella_stand(a: &Ask) -> BuiltModel {
     let pot = a.main(stuff::BLACK_STEEL);
     small(a, |mesh| {
         mesh.lathe(
@@ -295,7 +295,7 @@ pub(super) fn umbrella_stand(a: &Ask) -> Model {
 }
 
 /// Three legs and a ring that hold a pot with a plant.
-pub(super) fn plant_stand(a: &Ask) -> Model {
+pub(super) fn plant_stand(a: &Ask) -> BuiltModel {
     let iron = a.main(stuff::BLACK_STEEL);
     let leaf = stuff::LEAF.surface();
     small(a, |mesh| {
@@ -327,7 +327,7 @@ pub(super) fn plant_stand(a: &Ask) -> Model {
 }
 
 /// A can with a long spout and a rose, and a handle.
-pub(super) fn watering_can(a: &Ask) -> Model {
+pub(super) fn watering_can(a: &Ask) -> BuiltModel {
     let zinc = a.main(Stuff(Finish::Metal, 0x5f8a6a));
     small(a, |mesh| {
         mesh.lathe(
@@ -356,7 +356,7 @@ pub(super) fn watering_can(a: &Ask) -> Model {
 }
 
 /// A drum that leans in a frame on two wheels, its mouth to the front.
-pub(super) fn concrete_mixer(a: &Ask) -> Model {
+pub(super) fn concrete_mixer(a: &Ask) -> BuiltModel {
     let paint = a.main(Stuff(Finish::Paint, 0xe07a24));
     let steel = stuff::BLACK_STEEL.surface();
     headed(a, |mesh| {
@@ -379,10 +379,10 @@ pub(super) fn concrete_mixer(a: &Ask) -> Model {
 }
 
 /// A box of hedge: leaves over leaves, in a long pot.
-pub(super) fn hedge(a: &Ask) -> Model {
+pub(super) fn hedge(a: &Ask) -> BuiltModel {
     let leaf = a.main(stuff::LEAF);
     let mut dice = a.dice();
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     m.mesh.board(b.share(0.0..1.0, 0.0..0.16, 0.0..1.0), &stuff::BLACK_STEEL.surface());
@@ -402,7 +402,7 @@ pub(super) fn hedge(a: &Ask) -> Model {
 }
 
 /// A box with a rounded lid and twin lamps, for when the power fails; letters of light on a dark plate.
-pub(super) fn lit_letters(a: &Ask) -> Model {
+pub(super) fn lit_letters(a: &Ask) -> BuiltModel {
     if a.says(&["emergency"]) {
         let case = a.main(stuff::WHITE);
         return small(a, |mesh| {

@@ -6,7 +6,7 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// Something turned about the depth axis of a box, front at +z: knobs, drums, burners on end.
@@ -19,7 +19,7 @@ pub(super) fn dial(mesh: &mut Mesh, b: Block, profile: &[(f64, f64)], s: &Surfac
 }
 
 /// The hollow body of an appliance, and the face in front of it (`deep` thick) for doors and handles.
-fn appliance(m: &mut Model, a: &Ask, main: &Surface) -> Block {
+fn appliance(m: &mut BuiltModel, a: &Ask, main: &Surface) -> Block {
     let b = a.whole();
     let deep = 0.06_f64.min(0.14 * a.d);
     let plinth = 0.04_f64.min(0.05 * a.h);
@@ -31,7 +31,7 @@ fn appliance(m: &mut Model, a: &Ask, main: &Surface) -> Block {
 }
 
 /// A door with an upright bar as its handle, hung on the other side; or with a level one, which folds down.
-pub(super) fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
+pub(super) fn hatch(m: &mut BuiltModel, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
     let hung = match (upright, left) {
         (false, _) => Hung::Below,
         (true, true) => Hung::Right,
@@ -42,7 +42,7 @@ pub(super) fn hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surf
 }
 
 /// The same, drawn only.
-fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
+fn draw_hatch(m: &mut BuiltModel, b: Block, upright: bool, left: bool, s: &Surface, grip: &Surface) {
     let (size, z) = (b.size(), b.min.z + 0.5 * b.size().z);
     m.mesh.rounded(b.z(b.min.z..z), 0.008, 2, s);
     let t = 0.016_f64.min(0.06 * size.x).min(0.06 * size.y);
@@ -59,8 +59,8 @@ fn draw_hatch(m: &mut Model, b: Block, upright: bool, left: bool, s: &Surface, g
 }
 
 /// Refrigerators: one door over another, or two side by side; shop ones have a glass door.
-pub(super) fn fridge(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn fridge(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(Stuff(Finish::Metal, 0xd3d7da));
     let grip = stuff::STEEL.surface();
     let face = appliance(&mut m, a, &main);
@@ -116,8 +116,8 @@ pub(super) fn fridge(a: &Ask) -> Model {
 }
 
 /// Cookers: hob on top, knobs, an oven door with a window.
-pub(super) fn stove(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn stove(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     let b = a.whole();
@@ -173,8 +173,8 @@ pub(super) fn stove(a: &Ask) -> Model {
 }
 
 /// Dishwashers (a plain door), washing machines and dryers (a round one).
-pub(super) fn washer(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn washer(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::WHITE);
     let face = appliance(&mut m, a, &main);
     let deep = face.size().z;
@@ -211,8 +211,8 @@ pub(super) fn washer(a: &Ask) -> Model {
 }
 
 /// Microwaves and small ovens: a window and, at the viewer's right (−x), a panel.
-pub(super) fn microwave(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn microwave(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     let b = a.whole();
@@ -237,8 +237,8 @@ pub(super) fn microwave(a: &Ask) -> Model {
 }
 
 /// A hood over a stove: a chimney on a flared canopy, back to the wall.
-pub(super) fn hood(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn hood(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::STEEL);
     let b = a.whole();
     let rim = 0.06_f64.min(0.15 * a.h);
@@ -253,7 +253,7 @@ pub(super) fn hood(a: &Ask) -> Model {
 }
 
 /// A spout that rises behind a basin and bends to the front; fills `b`.
-pub(super) fn tap(m: &mut Model, b: Block, s: &Surface) {
+pub(super) fn tap(m: &mut BuiltModel, b: Block, s: &Surface) {
     m.solid(b);
     let r = 0.36 * b.size().x.min(b.size().z);
     m.mesh.stretch(b, |mesh| {
@@ -266,8 +266,8 @@ pub(super) fn tap(m: &mut Model, b: Block, s: &Surface) {
 
 /// Sinks: in a worktop over cupboards, or a ceramic basin on a pillar for washrooms. The box includes the tap; the rim is the
 /// support surface.
-pub(super) fn sink(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn sink(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let rim = a.h - 0.2_f64.min(0.25 * a.h);
     m.surface = Some(rim);
@@ -331,8 +331,8 @@ pub(super) fn sink(a: &Ask) -> Model {
 }
 
 /// Coffee machines and the like: a body with a bay for the cup.
-pub(super) fn coffee_machine(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn coffee_machine(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -350,8 +350,8 @@ pub(super) fn coffee_machine(a: &Ask) -> Model {
 }
 
 /// Kettles and jugs.
-pub(super) fn kettle(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn kettle(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -371,8 +371,8 @@ pub(super) fn kettle(a: &Ask) -> Model {
 }
 
 /// Toasters: two slots on top, a lever at the side.
-pub(super) fn toaster(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn toaster(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -389,8 +389,8 @@ pub(super) fn toaster(a: &Ask) -> Model {
 }
 
 /// A brick oven for wood fires: a plinth, a dome with an arched mouth, a flue.
-pub(super) fn pizza_oven(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn pizza_oven(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (brick, clay) = (Stuff(Finish::Stone, 0x9c5a3c).surface(), a.main(Stuff(Finish::Plaster, 0xd8c3a5)));
     let (slab, sill) = (0.5 * a.h, 0.56 * a.h);
@@ -413,7 +413,7 @@ pub(super) fn pizza_oven(a: &Ask) -> Model {
 }
 
 /// A bowl that is open at the top: coals, and a grate above them.
-fn coals(m: &mut Model, b: Block, main: &Surface) {
+fn coals(m: &mut BuiltModel, b: Block, main: &Surface) {
     let size = b.size();
     let wall = 0.03 * size.min().min(1.0);
     let floor = b.y(b.min.y..b.min.y + wall);
@@ -435,8 +435,8 @@ fn coals(m: &mut Model, b: Block, main: &Surface) {
 }
 
 /// A grill on a trolley: a bowl of coals under a lid, a shelf at each side.
-pub(super) fn barbecue(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn barbecue(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Paint, 0x2b2d30));
     let (steel, wood) = (stuff::STEEL.surface(), a.second(stuff::OAK));

@@ -4,12 +4,12 @@ use super::storage::carton;
 use crate::ask::Ask;
 use crate::block::{block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// Upright pianos; deep ones are grand, with three legs and the bend on the right. The player sits at +z.
-pub(super) fn piano(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn piano(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Ceramic, 0x1d1d20));
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -73,8 +73,8 @@ pub(super) fn piano(a: &Ask) -> Model {
 }
 
 /// Bins: round and open, or square with a lid (`recycling`, `pedal`, or not square in plan).
-pub(super) fn bin(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bin(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let square = a.says(&["recycling", "recycle", "square", "container", "wheelie"]) || (a.w / a.d - 1.0).abs() > 0.15;
     let green = a.says(&["recycling", "recycle"]);
@@ -98,8 +98,8 @@ pub(super) fn bin(a: &Ask) -> Model {
 }
 
 /// Cartons, crates and chests.
-pub(super) fn crate_box(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn crate_box(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if a.says(&["chest", "trunk"]) {
         // A hollow box with a lid.
@@ -156,8 +156,8 @@ pub(super) fn crate_box(a: &Ask) -> Model {
 }
 
 /// Woven baskets, open at the top.
-pub(super) fn basket(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn basket(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(Stuff(Finish::Wicker, 0xc79f66));
     let mut weave = vec![(0.76, 0.0)];
     for k in 0..8 {
@@ -171,8 +171,8 @@ pub(super) fn basket(a: &Ask) -> Model {
 }
 
 /// Suitcases and bags, standing.
-pub(super) fn suitcase(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn suitcase(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Plastic, 0x35506b));
     let grip = 0.1 * a.h;
@@ -206,8 +206,8 @@ pub(super) fn suitcase(a: &Ask) -> Model {
 }
 
 /// A treadmill and its kin: a belt, two uprights, a console.
-pub(super) fn treadmill(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn treadmill(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     let deck = 0.13_f64.min(0.15 * a.h);
@@ -236,8 +236,8 @@ pub(super) fn treadmill(a: &Ask) -> Model {
 }
 
 /// An exercise bike.
-pub(super) fn bike(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bike(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::RED);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -262,8 +262,8 @@ pub(super) fn bike(a: &Ask) -> Model {
 }
 
 /// Fins of hot water under a window.
-pub(super) fn radiator(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn radiator(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     m.solid(b);
@@ -278,8 +278,8 @@ pub(super) fn radiator(a: &Ask) -> Model {
 }
 
 /// Air conditioners and heaters: a case with slats.
-pub(super) fn air_conditioner(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn air_conditioner(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     m.solid(b);
@@ -301,8 +301,8 @@ pub(super) fn air_conditioner(a: &Ask) -> Model {
 }
 
 /// A fan on a stand, or from the ceiling.
-pub(super) fn fan(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn fan(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -373,8 +373,8 @@ pub(super) fn fan(a: &Ask) -> Model {
 }
 
 /// What nobody has a shape for: a rounded box.
-pub(crate) fn unknown(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(crate) fn unknown(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(Stuff(Finish::Plastic, 0xb9c0c8));
     m.rounded(a.whole(), 0.12 * a.whole().size().min().min(0.4), &main);
     m

@@ -4,7 +4,7 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 use std::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ fn about(r: f64, y0: f64, y1: f64) -> Block {
 }
 
 /// A shade open at both ends that fills `b`, with the bulb's light inside.
-fn shade_of(m: &mut Model, b: Block, top: f64, s: &Surface) {
+fn shade_of(m: &mut BuiltModel, b: Block, top: f64, s: &Surface) {
     m.solid_drum(b);
     let t = 0.03;
     m.mesh.lathe(b, &[(1.0, 0.0), (top, 1.0), (top - t, 1.0), (1.0 - t, 0.02)], 24, s);
@@ -24,7 +24,7 @@ fn shade_of(m: &mut Model, b: Block, top: f64, s: &Surface) {
 }
 
 /// A lamp of a kind told by its words, else by its size.
-pub(super) fn lamp(a: &Ask) -> Model {
+pub(super) fn lamp(a: &Ask) -> BuiltModel {
     if a.says(&["ceiling"]) {
         ceiling_light(a)
     } else if a.says(&["pendant", "hanging"]) {
@@ -41,8 +41,8 @@ pub(super) fn lamp(a: &Ask) -> Model {
 }
 
 /// A round foot, a pole, a shade.
-pub(super) fn floor_lamp(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn floor_lamp(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let metal = a.second(stuff::BLACK_STEEL);
     let cloth = a.main(stuff::LINEN);
     let cloth = if crate::looks::is(&cloth, Finish::Fabric) { cloth } else { a.tinted(stuff::LINEN) };
@@ -58,8 +58,8 @@ pub(super) fn floor_lamp(a: &Ask) -> Model {
 }
 
 /// A turned body with a shade.
-pub(super) fn table_lamp(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn table_lamp(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let body = a.second(Stuff(Finish::Ceramic, 0x7fa3a8));
     let cloth = a.tinted(stuff::LINEN);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -74,8 +74,8 @@ pub(super) fn table_lamp(a: &Ask) -> Model {
 }
 
 /// A foot, two arms, a head that leans over the work at +z.
-pub(super) fn desk_lamp(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn desk_lamp(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::BLACK_STEEL);
     let joint = stuff::BRASS.surface();
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -99,8 +99,8 @@ pub(super) fn desk_lamp(a: &Ask) -> Model {
 }
 
 /// Hangs: a rose at the ceiling, a cord, a shade or (`globe`, `paper`, `lantern`) a ball.
-pub(super) fn pendant(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn pendant(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let metal = a.second(stuff::BLACK_STEEL);
     let b = a.whole();
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -138,8 +138,8 @@ pub(super) fn pendant(a: &Ask) -> Model {
 }
 
 /// Flat against the ceiling: a disc, a panel, or a bar with spots.
-pub(super) fn ceiling_light(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn ceiling_light(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let rim = a.main(stuff::WHITE);
     let light = stuff::WARM.surface();
@@ -171,8 +171,8 @@ pub(super) fn ceiling_light(a: &Ask) -> Model {
 }
 
 /// A ring of candles of light under a stem.
-pub(super) fn chandelier(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn chandelier(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::BRASS);
     let light = stuff::WARM.surface();
@@ -199,8 +199,8 @@ pub(super) fn chandelier(a: &Ask) -> Model {
 }
 
 /// On a wall at −z: a plate, an arm, a shade.
-pub(super) fn sconce(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn sconce(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let metal = a.second(stuff::BRASS);
     let plate = 0.12 * a.d;
@@ -214,8 +214,8 @@ pub(super) fn sconce(a: &Ask) -> Model {
 }
 
 /// A candle on a small plate; a row of them where it is wide.
-pub(super) fn candle(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn candle(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wax = a.main(Stuff(Finish::Ceramic, 0xf3ead6));
     m.solid_drum(b);

@@ -53,12 +53,12 @@ mod workshop;
 mod yard;
 
 use crate::ask::Ask;
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 pub(crate) use leisure::unknown;
 
 /// Draws one object.
-pub(crate) type Maker = fn(&Ask) -> Model;
+pub(crate) type Maker = fn(&Ask) -> BuiltModel;
 
 /// All families; the aliases that lead to them are in `lexicon.txt`.
 pub(crate) const FAMILIES: &[(&str, Maker)] = &[

@@ -5,7 +5,7 @@
 
 use crate::block::Block;
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::{Joint, Motion, Vec3};
 
 /// Where a leaf has its hinges, as the object sees its own left and right.
@@ -51,7 +51,7 @@ impl Block {
     }
 }
 
-impl Model {
+impl BuiltModel {
     /// What was added last, `parts` parts, opens.
     fn joint(&mut self, name: &str, motion: Motion, [axis, anchor]: [Vec3; 2], [most, useful]: [f64; 2], parts: usize) {
         let taken = |joint: &Joint, name: &str| joint.name == name;

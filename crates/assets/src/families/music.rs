@@ -4,10 +4,10 @@ use crate::ask::Ask;
 use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A shell with two skins and bright hoops, upright.
-fn drum(m: &mut Model, b: Block, shell: &Surface) {
+fn drum(m: &mut BuiltModel, b: Block, shell: &Surface) {
     let (skin, hoop) = (stuff::SHEET.surface(), stuff::CHROME.surface());
     m.solid_drum(b);
     let mut ring = |b: Block, s: &Surface| m.mesh.lathe(b, &[(1.0, 0.0), (1.0, 1.0)], 24, s);
@@ -19,8 +19,8 @@ fn drum(m: &mut Model, b: Block, shell: &Surface) {
 }
 
 /// A bass drum on its side, two toms over it, a floor tom, a snare, and three cymbals. The drummer sits at -z.
-pub(super) fn drum_kit(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn drum_kit(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let shell = a.main(Stuff(Finish::Paint, 0x9c2b2e));
     let (chrome, bronze) = (stuff::CHROME.surface(), stuff::BRASS.surface());
@@ -61,8 +61,8 @@ pub(super) fn drum_kit(a: &Ask) -> Model {
 }
 
 /// A guitar, a violin, a cello or a double bass on its stand: body with a waist, neck, head, strings.
-pub(super) fn strings(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn strings(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let bowed = a.says(&["cello", "violin", "viola", "fiddle", "double", "contrabass"]);
     let banjo = a.says(&["banjo"]);
@@ -100,8 +100,8 @@ pub(super) fn strings(a: &Ask) -> Model {
 }
 
 /// A case with pipes in towers and fields, and the console with two keyboards before it. Who plays sits at +z.
-pub(super) fn organ(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn organ(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::OAK);
     let (dark, tin) = (shade(&wood, 0.6), Stuff(Finish::Metal, 0xced0d2).surface());
@@ -140,8 +140,8 @@ pub(super) fn organ(a: &Ask) -> Model {
 }
 
 /// A round foot, a stand and a head behind a grille; one for a table is as high as it is made.
-pub(super) fn microphone(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn microphone(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (dark, steel) = (a.main(stuff::DARK_PLASTIC), stuff::STEEL.surface());
     let foot = 0.03_f64.min(0.12 * a.h);
@@ -158,8 +158,8 @@ pub(super) fn microphone(a: &Ask) -> Model {
 }
 
 /// Two cups, lying, and the band between them.
-pub(super) fn headphones(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn headphones(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     for cup in b.share(0.0..0.24, 0.0..1.0, 0.5..1.0).both_sides() {

@@ -6,11 +6,11 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// Bars under a dome with a perch; a low box of bars with a wheel for a hamster.
-pub(super) fn cage(a: &Ask) -> Model {
+pub(super) fn cage(a: &Ask) -> BuiltModel {
     let brass = a.main(stuff::BRASS);
     let bar = |mesh: &mut Mesh, from, to| {
         mesh.sweep(&[(from, 0.014, 0.014), (to, 0.014, 0.014)], at(0.3, 0.9, 0.2), 6, &brass)
@@ -58,7 +58,7 @@ pub(super) fn cage(a: &Ask) -> Model {
 }
 
 /// A slab of wood with a groove and a grip; with a loaf and a knife where bread is cut.
-pub(super) fn cutting_board(a: &Ask) -> Model {
+pub(super) fn cutting_board(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb98a55));
     super::strokes::long(a, |mesh| {
         mesh.rounded(block(-0.6..0.6, -0.06..0.06, -0.7..1.0), 0.04, 2, &wood);
@@ -75,7 +75,7 @@ pub(super) fn cutting_board(a: &Ask) -> Model {
 }
 
 /// A turned foot and body; a king with his cross.
-pub(super) fn chess_piece(a: &Ask) -> Model {
+pub(super) fn chess_piece(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::BIRCH);
     small(a, |mesh| {
         let king = [
@@ -99,7 +99,7 @@ pub(super) fn chess_piece(a: &Ask) -> Model {
 }
 
 /// Four sides with holes that have an edge, under a handle; a bowl with holes for a colander.
-pub(super) fn grater(a: &Ask) -> Model {
+pub(super) fn grater(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::CHROME);
     let dark = stuff::DARK_PLASTIC.surface();
     if a.says(&["colander", "sieve", "strainer"]) {
@@ -143,7 +143,7 @@ pub(super) fn grater(a: &Ask) -> Model {
 }
 
 /// A card on a pack of cards.
-pub(super) fn playing_card(a: &Ask) -> Model {
+pub(super) fn playing_card(a: &Ask) -> BuiltModel {
     let white = a.main(stuff::PAPER);
     let red = stuff::RED.surface();
     super::strokes::long(a, |mesh| {
@@ -167,7 +167,7 @@ pub(super) fn playing_card(a: &Ask) -> Model {
 }
 
 /// Bars between posts along a wall; two high rails where they are parallel; a frame of bars to climb on.
-pub(super) fn wall_bars(a: &Ask) -> Model {
+pub(super) fn wall_bars(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xc49b6b));
     let steel = stuff::STEEL.surface();
     if a.says(&["parallel"]) {
@@ -233,7 +233,7 @@ pub(super) fn wall_bars(a: &Ask) -> Model {
 }
 
 /// Two numbers of light under two names.
-pub(super) fn scoreboard(a: &Ask) -> Model {
+pub(super) fn scoreboard(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     let glow = of(Finish::Glow, 0xff5a2a);
     small(a, |mesh| {
@@ -269,7 +269,7 @@ pub(super) fn scoreboard(a: &Ask) -> Model {
 }
 
 /// Cells of dark glass in a frame that leans on a stay.
-pub(super) fn solar_panel(a: &Ask) -> Model {
+pub(super) fn solar_panel(a: &Ask) -> BuiltModel {
     let frame = a.main(stuff::STEEL);
     small(a, |mesh| {
         mesh.place(at(0.0, 0.0, 0.4), [-30.0, 0.0, 0.0], |mesh| {
@@ -288,7 +288,7 @@ pub(super) fn solar_panel(a: &Ask) -> Model {
 }
 
 /// A disc of iron with a hole and a rim.
-pub(super) fn weight_plate(a: &Ask) -> Model {
+pub(super) fn weight_plate(a: &Ask) -> BuiltModel {
     let iron = a.main(stuff::BLACK_STEEL);
     round(a, |mesh| {
         mesh.drum(block(-0.96..0.96, -0.1..0.1, -0.96..0.96), &iron);
@@ -308,7 +308,7 @@ pub(super) fn weight_plate(a: &Ask) -> Model {
 }
 
 /// Glass on all sides with earth, stones and plants in it, without water.
-pub(super) fn terrarium(a: &Ask) -> Model {
+pub(super) fn terrarium(a: &Ask) -> BuiltModel {
     let frame = a.main(stuff::BLACK_STEEL);
     let leaf = stuff::LEAF.surface();
     let mut dice = a.dice();
@@ -340,7 +340,7 @@ pub(super) fn terrarium(a: &Ask) -> Model {
 }
 
 /// A shade of metal with a glowing bulb on a cord.
-pub(super) fn heat_lamp(a: &Ask) -> Model {
+pub(super) fn heat_lamp(a: &Ask) -> BuiltModel {
     let steel = a.main(Stuff(Finish::Metal, 0xb87333));
     small(a, |mesh| {
         mesh.lathe(
@@ -356,7 +356,7 @@ pub(super) fn heat_lamp(a: &Ask) -> Model {
 }
 
 /// Two sides on a foot, and napkins between them.
-pub(super) fn napkin_holder(a: &Ask) -> Model {
+pub(super) fn napkin_holder(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::CHROME);
     small(a, |mesh| {
         mesh.rounded(block(-0.7..0.7, 0.0..0.08, -0.45..0.45), 0.03, 1, &steel);

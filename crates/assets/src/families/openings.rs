@@ -5,14 +5,14 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, is, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A fence that is wider and deeper than this goes around something (metres).
 const DEEP: f64 = 1.0;
 
 /// Four strips along the edges of a face (normal z), `side` wide left and right, `top` above, `bottom` below.
-pub(super) fn frame(m: &mut Model, b: Block, side: f64, top: f64, bottom: f64, s: &Surface) {
+pub(super) fn frame(m: &mut BuiltModel, b: Block, side: f64, top: f64, bottom: f64, s: &Surface) {
     for strip in [b.x(b.min.x..b.min.x + side), b.x(b.max.x - side..b.max.x)] {
         m.mesh.board(strip, s);
     }
@@ -25,8 +25,8 @@ pub(super) fn frame(m: &mut Model, b: Block, side: f64, top: f64, bottom: f64, s
 
 /// A closed door in its frame: one leaf or two, panelled or glazed, a handle on both faces. It opens to its front, to the
 /// other side if it "opens outward"; a single leaf has its hinges on its own left, or as features say ("hinged right").
-pub(super) fn door(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn door(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let exit = a.says(&["exit", "emergency", "fire"]);
     let main = a.main(if exit { Stuff(Finish::Paint, 0x7d8f97) } else { stuff::WHITE });
@@ -99,8 +99,8 @@ pub(super) fn door(a: &Ask) -> Model {
 
 /// Glass in a frame with bars, and a sill. Its casements open to its front, unless it is one that slides or does not open;
 /// nobody demands that they do.
-pub(super) fn window(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn window(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     let main = if is(&main, Finish::Glass) { stuff::BLACK_STEEL.surface() } else { main };
@@ -140,8 +140,8 @@ pub(super) fn window(a: &Ask) -> Model {
 }
 
 /// Two drawn curtains on a rail, in folds.
-pub(super) fn curtain(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn curtain(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let cloth = a.main(Stuff(Finish::Fabric, 0xcfc6b4));
@@ -163,8 +163,8 @@ pub(super) fn curtain(a: &Ask) -> Model {
 }
 
 /// Slats under a head rail.
-pub(super) fn blinds(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn blinds(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.main(stuff::WHITE);
@@ -185,11 +185,11 @@ pub(super) fn blinds(a: &Ask) -> Model {
 
 /// Screens between places: panels on feet; railings and fences have bars, glass ones are clear. A fence that is deep goes
 /// around something.
-pub(super) fn partition(a: &Ask) -> Model {
+pub(super) fn partition(a: &Ask) -> BuiltModel {
     if a.d > DEEP && a.w > DEEP && a.says(&["fence", "cage"]) {
         return super::fences::enclosure(a);
     }
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if a.says(&["house"]) {
         m.board(b, &a.main(stuff::WHITE));
@@ -230,8 +230,8 @@ pub(super) fn partition(a: &Ask) -> Model {
 }
 
 /// Steps that rise towards −z.
-pub(super) fn stairs(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn stairs(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let body = a.second(stuff::WHITE);
@@ -247,8 +247,8 @@ pub(super) fn stairs(a: &Ask) -> Model {
 }
 
 /// A step ladder: rungs on two stiles in front, two behind.
-pub(super) fn ladder(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn ladder(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STEEL);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -276,8 +276,8 @@ pub(super) fn ladder(a: &Ask) -> Model {
 }
 
 /// A round or square column with base and head.
-pub(super) fn pillar(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn pillar(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STONE);
     let cap = 0.12_f64.min(0.08 * a.h);
@@ -294,8 +294,8 @@ pub(super) fn pillar(a: &Ask) -> Model {
 }
 
 /// A mantel around a fire.
-pub(super) fn fireplace(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn fireplace(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.main(stuff::STONE);

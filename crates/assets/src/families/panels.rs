@@ -5,12 +5,12 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use crate::words::Dice;
 use std::ops::Range;
 
 /// A framed face; on feet where it is too deep to hang. Returns the space in front of the face, inside the frame.
-fn panel(m: &mut Model, a: &Ask, face: &Surface, edge: &Surface, rim: f64) -> Block {
+fn panel(m: &mut BuiltModel, a: &Ask, face: &Surface, edge: &Surface, rim: f64) -> Block {
     let b = a.whole();
     let stands = a.d > 0.25 && a.h > 0.9;
     let rim = rim.min(0.1 * a.w).min(0.1 * a.h);
@@ -35,8 +35,8 @@ fn panel(m: &mut Model, a: &Ask, face: &Surface, edge: &Surface, rim: f64) -> Bl
 }
 
 /// Boards to write on or pin to, with a tray.
-pub(super) fn board(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn board(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let dark = a.says(&["blackboard", "chalkboard", "chalk"]);
     let cork = a.says(&["cork", "corkboard", "notice", "bulletin", "pinboard", "noticeboard"]);
     let (usual, rim) = match (dark, cork) {
@@ -69,8 +69,8 @@ pub(super) fn board(a: &Ask) -> Model {
 }
 
 /// Pictures: a few fields of colour from the object's own dice; posters have no frame, maps blue and green.
-pub(super) fn picture(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn picture(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let poster = a.says(&["poster", "map", "banner", "menu", "sign", "canvas"]);
     let paper = a.tinted(Stuff(Finish::Paper, 0xf3eee3));
@@ -140,7 +140,7 @@ pub(super) fn picture(a: &Ask) -> Model {
 }
 
 /// A stem with leaves at both sides.
-fn leaves(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
+fn leaves(m: &mut BuiltModel, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     let stem = 0.012 * s.x.min(s.y);
     m.mesh.crisp(art.x(-stem..stem).y(art.min.y + 0.12 * s.y..art.min.y + 0.86 * s.y).z(near), &colors[3]);
@@ -169,7 +169,7 @@ fn circle([x, y]: [f64; 2], r: f64) -> Vec<(f64, f64)> {
 }
 
 /// Land, a sun and a hill.
-fn landscape(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
+fn landscape(m: &mut BuiltModel, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     let horizon = dice.between(0.3, 0.5);
     m.mesh.crisp(art.y(art.min.y..art.min.y + horizon * s.y).z(near.clone()), &colors[0]);
@@ -187,7 +187,7 @@ fn landscape(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &
 }
 
 /// Three fields of colour with a narrow one across them.
-fn fields(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
+fn fields(m: &mut BuiltModel, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     let x = art.min.x + dice.between(0.3, 0.6) * s.x;
     let y = art.min.y + dice.between(0.35, 0.65) * s.y;
@@ -199,7 +199,7 @@ fn fields(m: &mut Model, art: Block, [near, nearer]: [Range<f64>; 2], dice: &mut
 }
 
 /// Three discs beside each other.
-fn discs(m: &mut Model, art: Block, near: Range<f64>, dice: &mut Dice, colors: &[Surface; 4]) {
+fn discs(m: &mut BuiltModel, art: Block, near: Range<f64>, dice: &mut Dice, colors: &[Surface; 4]) {
     let s = art.size();
     for (k, color) in [0, 3, 1].into_iter().enumerate() {
         let r = dice.between(0.1, 0.155) * s.x.min(s.y * 1.6);
@@ -211,8 +211,8 @@ fn discs(m: &mut Model, art: Block, near: Range<f64>, dice: &mut Dice, colors: &
 }
 
 /// Silvered glass in a slim frame.
-pub(super) fn mirror(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn mirror(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let edge = a.main(stuff::BRASS);
     if a.says(&["round", "oval", "circular"]) {
         disc(&mut m, a.whole(), &edge, &stuff::MIRROR.surface());
@@ -223,7 +223,7 @@ pub(super) fn mirror(a: &Ask) -> Model {
 }
 
 /// A disc that looks to +z: a rim and a face set back in it.
-pub(super) fn disc(m: &mut Model, b: Block, edge: &Surface, face: &Surface) {
+pub(super) fn disc(m: &mut BuiltModel, b: Block, edge: &Surface, face: &Surface) {
     m.solid(b);
     m.mesh.stretch(b, |mesh| {
         mesh.place(scenelang_layout::Vec3::zeros(), [90.0, 0.0, 0.0], |mesh| {
@@ -239,8 +239,8 @@ pub(super) fn disc(m: &mut Model, b: Block, edge: &Surface, face: &Surface) {
 }
 
 /// A screen to project on, or a sign that shines.
-pub(super) fn screen(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn screen(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if a.d > 0.25 && a.h > 0.9 {
         panel(&mut m, a, &stuff::SHEET.surface(), &a.second(stuff::BLACK_STEEL), 0.03);
@@ -259,8 +259,8 @@ pub(super) fn screen(a: &Ask) -> Model {
 }
 
 /// Rugs and mats: a border and a field, the top level; round ones by their word.
-pub(super) fn rug(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn rug(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Carpet, 0xa9a296));
     let main = if crate::looks::is(&main, Finish::Fabric) { a.tinted(Stuff(Finish::Carpet, 0xa9a296)) } else { main };
@@ -283,8 +283,8 @@ pub(super) fn rug(a: &Ask) -> Model {
 }
 
 /// A column on three feet with a desk for sheets, which leans back.
-fn music_stand(a: &Ask) -> Model {
-    let mut m = Model::default();
+fn music_stand(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let dark = a.main(stuff::BLACK_STEEL);
     let t = 0.03_f64.min(0.08 * a.w).min(0.08 * a.d);
@@ -307,11 +307,11 @@ fn music_stand(a: &Ask) -> Model {
 }
 
 /// A stand with three legs and a picture on it: easels, tripods, flip charts; those for music have a column and a desk.
-pub(super) fn easel(a: &Ask) -> Model {
+pub(super) fn easel(a: &Ask) -> BuiltModel {
     if a.says(&["music"]) {
         return music_stand(a);
     }
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let main = a.main(stuff::OAK);
     let (x, z) = (a.w / 2.0, a.d / 2.0);

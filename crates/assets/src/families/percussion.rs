@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Mesh;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// A copper bowl under a skin, on legs.
-pub(super) fn timpani(a: &Ask) -> Model {
+pub(super) fn timpani(a: &Ask) -> BuiltModel {
     let copper = a.main(Stuff(Finish::Metal, 0xb8693a));
     let chrome = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -33,7 +33,7 @@ pub(super) fn timpani(a: &Ask) -> Model {
 }
 
 /// A shallow ring with a skin and pairs of jingles in its wall.
-pub(super) fn tambourine(a: &Ask) -> Model {
+pub(super) fn tambourine(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb9803f));
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -58,8 +58,8 @@ pub(super) fn tambourine(a: &Ask) -> Model {
 }
 
 /// A disc of bronze that hangs in a frame.
-pub(super) fn gong(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn gong(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.second(Stuff(Finish::Wood, 0x5a2e20));
     let bronze = a.main(Stuff(Finish::Brass, 0xb5862f));
@@ -84,7 +84,7 @@ pub(super) fn gong(a: &Ask) -> Model {
 const BARS: [u32; 8] = [0xc8392f, 0xe07b2f, 0xe3bd3a, 0x6da544, 0x3f8f7a, 0x3f78b0, 0x5a55a0, 0xa04f8c];
 
 /// Bars that get shorter on two rails: of colours where it is small, of metal or wood on a stand with tubes where it is high.
-pub(super) fn xylophone(a: &Ask) -> Model {
+pub(super) fn xylophone(a: &Ask) -> BuiltModel {
     let metal = a.says(&["glockenspiel", "vibraphone"]);
     let wood = a.second(stuff::WALNUT);
     let stands = a.h > 0.4;
@@ -135,7 +135,7 @@ pub(super) fn xylophone(a: &Ask) -> Model {
 }
 
 /// A cymbal on a stand with three feet.
-pub(super) fn cymbal(a: &Ask) -> Model {
+pub(super) fn cymbal(a: &Ask) -> BuiltModel {
     let bronze = a.main(Stuff(Finish::Brass, 0xd0a640));
     let chrome = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -155,7 +155,7 @@ pub(super) fn cymbal(a: &Ask) -> Model {
 }
 
 /// A bell with a handle.
-pub(super) fn bell(a: &Ask) -> Model {
+pub(super) fn bell(a: &Ask) -> BuiltModel {
     let brass = a.main(Stuff(Finish::Brass, 0xcfa23a));
     let wood = a.second(stuff::WALNUT);
     small(a, |mesh| {
@@ -168,7 +168,7 @@ pub(super) fn bell(a: &Ask) -> Model {
 }
 
 /// Tubes of several lengths that hang in a ring about a clapper; or, over a bed, shapes on crossed rods.
-pub(super) fn mobile(a: &Ask) -> Model {
+pub(super) fn mobile(a: &Ask) -> BuiltModel {
     let chimes = a.says(&["chime", "wind"]);
     let wood = a.second(stuff::OAK);
     let tube = a.main(Stuff(Finish::Metal, 0x9ba1a6));
@@ -223,7 +223,7 @@ fn toy(mesh: &mut Mesh, kind: usize, c: scenelang_layout::Vec3, s: &crate::mesh:
 }
 
 /// A ball on a handle.
-pub(super) fn maraca(a: &Ask) -> Model {
+pub(super) fn maraca(a: &Ask) -> BuiltModel {
     let red = a.main(Stuff(Finish::Paint, 0xc8392f));
     long(a, |mesh| {
         mesh.ball(block(-0.4..0.4, -0.4..0.4, 0.0..1.0), &red);
@@ -235,7 +235,7 @@ pub(super) fn maraca(a: &Ask) -> Model {
 }
 
 /// A flat box with a slanting side, and strings over a hole.
-pub(super) fn zither(a: &Ask) -> Model {
+pub(super) fn zither(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xa8632f));
     long(a, |mesh| {
         mesh.extrude(1, &[(-1.0, -0.6), (1.0, -0.6), (1.0, -0.1), (-0.6, 0.6), (-1.0, 0.6)], 0.0..0.14, &wood);
@@ -251,7 +251,7 @@ pub(super) fn zither(a: &Ask) -> Model {
 }
 
 /// Folds between two ends, one with keys, the other with buttons.
-pub(super) fn accordion(a: &Ask) -> Model {
+pub(super) fn accordion(a: &Ask) -> BuiltModel {
     let red = a.main(Stuff(Finish::Paint, 0xa3262c));
     let (white, dark) = (of(Finish::Plastic, 0xf2efe6), stuff::DARK_PLASTIC.surface());
     small(a, |mesh| {

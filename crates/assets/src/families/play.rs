@@ -3,11 +3,11 @@
 use crate::ask::Ask;
 use crate::block::pieces;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// Two runners, four legs, a body with a saddle, a neck and a head; it looks to +z.
-pub(super) fn rocking_horse(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn rocking_horse(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::BIRCH);
     let red = a.second(Stuff(Finish::Fabric, 0xb5432e));
@@ -38,8 +38,8 @@ pub(super) fn rocking_horse(a: &Ask) -> Model {
 }
 
 /// An open front with rooms on two floors under a gable.
-pub(super) fn dollhouse(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn dollhouse(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wall = a.main(Stuff(Finish::Paint, 0xe9c6cf));
     let roof = a.second(Stuff(Finish::Paint, 0xa7473f));
@@ -67,8 +67,8 @@ pub(super) fn dollhouse(a: &Ask) -> Model {
 }
 
 /// A cloth hung between two posts of a stand along its longer side.
-pub(super) fn hammock(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn hammock(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let cloth = a.main(Stuff(Finish::Fabric, 0xd9c3a0));
     let frame = a.second(stuff::OAK);
@@ -94,8 +94,8 @@ pub(super) fn hammock(a: &Ask) -> Model {
 }
 
 /// A ladder with a platform, and a chute that ends low at the front.
-pub(super) fn slide(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn slide(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let chute = a.main(Stuff(Finish::Plastic, 0xe2a12f));
     let frame = a.second(Stuff(Finish::Plastic, 0x2f7fb5));
@@ -129,8 +129,8 @@ pub(super) fn slide(a: &Ask) -> Model {
 }
 
 /// A cupboard with rings, a basin and a shelf above, as high as a child reaches; its front looks to +z.
-pub(super) fn toy_kitchen(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn toy_kitchen(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let body = a.main(stuff::BIRCH);
     let front = a.second(stuff::WHITE);
@@ -157,8 +157,8 @@ pub(super) fn toy_kitchen(a: &Ask) -> Model {
 }
 
 /// A metal box heaped with stones, behind a rail of wood at three sides.
-pub(super) fn sauna_heater(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn sauna_heater(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let metal = a.main(stuff::BLACK_STEEL);
     let wood = a.second(stuff::OAK);
@@ -197,8 +197,8 @@ pub(super) fn sauna_heater(a: &Ask) -> Model {
 }
 
 /// A cabin of planks with a front of glass, behind which two benches and a heater are seen.
-pub(super) fn sauna(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn sauna(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let wood = a.main(stuff::BIRCH);

@@ -5,10 +5,10 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// Two runners that turn up, and slats; a sleigh has a seat between high sides.
-pub(super) fn sled(a: &Ask) -> Model {
+pub(super) fn sled(a: &Ask) -> BuiltModel {
     let sleigh = a.says(&["sleigh", "sledge"]) && a.h > 0.5;
     let wood = a.main(if sleigh { Stuff(Finish::Paint, 0xa8282c) } else { Stuff(Finish::Wood, 0xb9803f) });
     let runner = if sleigh { stuff::BRASS.surface() } else { shade(&wood, 0.8) };
@@ -65,7 +65,7 @@ fn tyre(mesh: &mut Mesh, x: f64, z: f64, r: f64, rim: &Surface) {
 }
 
 /// A big wheel in front, two behind, a saddle and a handlebar; a unicycle has one wheel.
-pub(super) fn tricycle(a: &Ask) -> Model {
+pub(super) fn tricycle(a: &Ask) -> BuiltModel {
     let one = a.says(&["unicycle"]);
     let paint = a.main(Stuff(Finish::Paint, 0xc8392f));
     let (dark, chrome) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
@@ -120,7 +120,7 @@ pub(super) fn tricycle(a: &Ask) -> Model {
 }
 
 /// Two high wheels behind a bonnet with two low ones, a cabin of glass.
-pub(super) fn tractor(a: &Ask) -> Model {
+pub(super) fn tractor(a: &Ask) -> BuiltModel {
     let paint = a.main(Stuff(Finish::Paint, 0x3a7a3a));
     let (glass, dark) = (of(Finish::Screen, 0x2b3844), stuff::DARK_PLASTIC.surface());
     let yellow = of(Finish::Paint, 0xe3bd3a);
@@ -158,7 +158,7 @@ pub(super) fn tractor(a: &Ask) -> Model {
 }
 
 /// A fuselage, two wings, a tail and a propeller.
-pub(super) fn plane(a: &Ask) -> Model {
+pub(super) fn plane(a: &Ask) -> BuiltModel {
     let paint = a.main(Stuff(Finish::Paint, 0xc8443a));
     let (white, dark) = (of(Finish::Paint, 0xdfe3e4), stuff::DARK_PLASTIC.surface());
     headed(a, |mesh| {

@@ -5,12 +5,12 @@ use super::tables::drawers;
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// An arm with two links on a pedestal, reaching to +z.
-pub(super) fn robot_arm(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn robot_arm(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Paint, 0xe8792b));
     let dark = a.second(stuff::DARK_PLASTIC);
@@ -66,8 +66,8 @@ pub(super) fn robot_arm(a: &Ask) -> Model {
 }
 
 /// A low carrier on wheels with a laser scanner; tall ones have a mast with a face.
-pub(super) fn mobile_robot(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn mobile_robot(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Plastic, 0xf0f1f2));
     let dark = stuff::DARK_PLASTIC.surface();
@@ -111,8 +111,8 @@ pub(super) fn mobile_robot(a: &Ask) -> Model {
 }
 
 /// Trolleys: trays between posts on castors; tool trolleys are chests, shopping ones baskets.
-pub(super) fn cart(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cart(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let medical = a.says(&["medical", "crash", "medicine", "medication"]);
     let tools = medical || a.says(&["tool", "drawer"]);
@@ -168,8 +168,8 @@ pub(super) fn cart(a: &Ask) -> Model {
 }
 
 /// Boards on blocks.
-pub(super) fn pallet(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn pallet(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::BIRCH);
     m.solid(b);
@@ -189,8 +189,8 @@ pub(super) fn pallet(a: &Ask) -> Model {
 }
 
 /// A belt over rollers on legs.
-pub(super) fn conveyor(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn conveyor(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::GRAY);
     let bed = 0.12_f64.min(0.3 * a.h);
@@ -205,8 +205,8 @@ pub(super) fn conveyor(a: &Ask) -> Model {
 }
 
 /// A machine tool or 3D printer: a case with a window and a panel on an arm.
-pub(super) fn machine(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn machine(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::GRAY);
     m.solid(b);
@@ -247,8 +247,8 @@ pub(super) fn machine(a: &Ask) -> Model {
 }
 
 /// Gas bottles, boilers, barrels.
-pub(super) fn tank(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn tank(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if a.says(&["wine", "wooden", "oak", "cask"]) {
         let hoop = stuff::BLACK_STEEL.surface();
@@ -291,8 +291,8 @@ pub(super) fn tank(a: &Ask) -> Model {
 }
 
 /// A charging place for robots: a low ramp before a lit panel.
-pub(super) fn dock(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn dock(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     let back = b.z(b.min.z..b.min.z + 0.35 * a.d);
@@ -310,8 +310,8 @@ pub(super) fn dock(a: &Ask) -> Model {
 }
 
 /// A fume cupboard: work space behind a glass sash, cupboard below.
-pub(super) fn fume_hood(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn fume_hood(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.main(stuff::WHITE);
@@ -341,8 +341,8 @@ pub(super) fn fume_hood(a: &Ask) -> Model {
 }
 
 /// A quadcopter: a body, four arms with rotors.
-pub(super) fn drone(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn drone(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b: Block = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     let (x, z) = (a.w / 2.0, a.d / 2.0);

@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// Something rolled up, with a hole; its end shows the turns. A rolling pin has handles.
-pub(super) fn roll(a: &Ask) -> Model {
+pub(super) fn roll(a: &Ask) -> BuiltModel {
     if a.says(&["rolling", "pin"]) {
         let wood = a.main(Stuff(Finish::Wood, 0xcfa56e));
         return long(a, |mesh| {
@@ -54,7 +54,7 @@ pub(super) fn roll(a: &Ask) -> Model {
 }
 
 /// Two flanges and what is wound between them; yarn in a ball; a yo-yo.
-pub(super) fn spool(a: &Ask) -> Model {
+pub(super) fn spool(a: &Ask) -> BuiltModel {
     if a.says(&["yarn", "wool"]) {
         let wool = a.main(Stuff(Finish::Fabric, 0xc45a6a));
         return small(a, |mesh| {
@@ -120,7 +120,7 @@ pub(super) fn spool(a: &Ask) -> Model {
 }
 
 /// A flat disc: a record with its label and hole, a silver disc, a coin.
-pub(super) fn record(a: &Ask) -> Model {
+pub(super) fn record(a: &Ask) -> BuiltModel {
     let coin = a.says(&["coin", "token"]);
     let bright = a.says(&["game", "cd", "dvd", "disc"]);
     let usual = match (coin, bright) {
@@ -147,7 +147,7 @@ pub(super) fn record(a: &Ask) -> Model {
 }
 
 /// A wheel with its tyre, rim and spokes; a tyre alone.
-pub(super) fn wheel(a: &Ask) -> Model {
+pub(super) fn wheel(a: &Ask) -> BuiltModel {
     let rubber = a.main(stuff::RUBBER);
     let alone = a.says(&["tire", "tyre"]);
     round(a, |mesh| {
@@ -172,7 +172,7 @@ pub(super) fn wheel(a: &Ask) -> Model {
 }
 
 /// A coil of rope, its end beside it; a skipping rope has handles.
-pub(super) fn rope(a: &Ask) -> Model {
+pub(super) fn rope(a: &Ask) -> BuiltModel {
     let hemp = a.main(Stuff(Finish::Fabric, 0xb8955a));
     small(a, |mesh| {
         for (k, r) in [0.92, 0.86, 0.9].into_iter().enumerate() {
@@ -191,7 +191,7 @@ pub(super) fn rope(a: &Ask) -> Model {
 }
 
 /// Long thin things: sticks, poles, pipes, planks, nails, crayons.
-pub(super) fn pipe(a: &Ask) -> Model {
+pub(super) fn pipe(a: &Ask) -> BuiltModel {
     let says = |words: &[&str]| a.says(words);
     let (steel, wood) = (of(Finish::Metal, 0x9aa0a5), Stuff(Finish::Wood, 0xb98a55));
     let shaft = |mesh: &mut Mesh, r: [f64; 2], s: &Surface| cone(mesh, at(0.0, 0.0, -1.0), at(0.0, 0.0, 1.0), r, s);
@@ -213,7 +213,7 @@ pub(super) fn pipe(a: &Ask) -> Model {
     }
     if says(&["plank", "board"]) {
         let plank = a.main(Stuff(Finish::Wood, 0xc9a06c));
-        let mut m = Model::default();
+        let mut m = BuiltModel::default();
         m.board(a.whole(), &plank);
         return m;
     }
@@ -287,7 +287,7 @@ pub(super) fn pipe(a: &Ask) -> Model {
 }
 
 /// A locomotive; a lorry to push; a small train on a ring of rails.
-pub(super) fn train(a: &Ask) -> Model {
+pub(super) fn train(a: &Ask) -> BuiltModel {
     let truck = a.says(&["truck", "lorry"]);
     let body = a.main(if truck { Stuff(Finish::Paint, 0xe0a52f) } else { Stuff(Finish::Paint, 0xb5332c) });
     let dark = stuff::DARK_PLASTIC.surface();
@@ -344,7 +344,7 @@ pub(super) fn train(a: &Ask) -> Model {
 }
 
 /// Rails on sleepers, an engine and two wagons.
-fn train_set(a: &Ask, body: &Surface, dark: &Surface) -> Model {
+fn train_set(a: &Ask, body: &Surface, dark: &Surface) -> BuiltModel {
     let wood = stuff::OAK.surface();
     small(a, |mesh| {
         for k in 0..20 {

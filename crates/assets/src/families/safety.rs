@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A cross on the front of `b`, using its depth.
-fn cross(m: &mut Model, b: Block, s: &Surface) {
+fn cross(m: &mut BuiltModel, b: Block, s: &Surface) {
     let (size, c) = (b.size(), b.center());
     let arm = 0.5 * size.x.min(size.y);
     let half = 0.32 * arm;
@@ -19,8 +19,8 @@ fn cross(m: &mut Model, b: Block, s: &Surface) {
 }
 
 /// A red bottle with a valve, a hose and a label.
-pub(super) fn extinguisher(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn extinguisher(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.tinted(Stuff(Finish::Paint, 0xc4201d));
     let dark = stuff::RUBBER.surface();
@@ -58,16 +58,16 @@ pub(super) fn extinguisher(a: &Ask) -> Model {
 }
 
 /// A flat case with a cross: green for first aid, red for fire, with a heart for a defibrillator.
-pub(super) fn first_aid(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn first_aid(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.tinted(Stuff(Finish::Paint, 0x1f8f54));
     case(&mut m, a, &main, cross);
     m
 }
 
 /// A defibrillator in its box.
-pub(super) fn aed(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn aed(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.tinted(Stuff(Finish::Paint, 0xf1f2ef));
     let green = Stuff(Finish::Paint, 0x1f8f54).surface();
     case(&mut m, a, &main, |m, face, _| {
@@ -96,8 +96,8 @@ pub(super) fn aed(a: &Ask) -> Model {
 }
 
 /// A red case: fire blankets, hydrants, hoses.
-pub(super) fn fire_box(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn fire_box(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.tinted(Stuff(Finish::Paint, 0xc4201d));
     case(&mut m, a, &main, |m, face, s| {
         let (size, c) = (face.size(), face.center());
@@ -110,7 +110,7 @@ pub(super) fn fire_box(a: &Ask) -> Model {
 }
 
 /// A case with a door; `mark` draws on it in white.
-fn case(m: &mut Model, a: &Ask, main: &Surface, mark: impl FnOnce(&mut Model, Block, &Surface)) {
+fn case(m: &mut BuiltModel, a: &Ask, main: &Surface, mark: impl FnOnce(&mut BuiltModel, Block, &Surface)) {
     let b = a.whole();
     m.solid(b);
     let deep = 0.1 * a.d;
@@ -121,8 +121,8 @@ fn case(m: &mut Model, a: &Ask, main: &Surface, mark: impl FnOnce(&mut Model, Bl
 }
 
 /// A lit green sign: someone running through a door, and an arrow.
-pub(super) fn exit_sign(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn exit_sign(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.tinted(stuff::GREEN_LIGHT);
@@ -152,8 +152,8 @@ pub(super) fn exit_sign(a: &Ask) -> Model {
 }
 
 /// Call points and alarm buttons on walls.
-pub(super) fn alarm(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn alarm(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let main = a.tinted(Stuff(Finish::Paint, 0xc4201d));
@@ -171,8 +171,8 @@ pub(super) fn alarm(a: &Ask) -> Model {
 }
 
 /// Smoke detectors, sprinklers, cameras on the ceiling: a small turned body, wide side up.
-pub(super) fn detector(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn detector(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::WHITE);
     m.lathe(a.whole(), &[(0.45, 0.0), (0.6, 0.1), (0.62, 0.4), (0.95, 0.6), (1.0, 0.7), (1.0, 1.0)], &main);
     let r = 0.06 * a.w.min(a.d);
@@ -181,8 +181,8 @@ pub(super) fn detector(a: &Ask) -> Model {
 }
 
 /// Cones for traffic and wet floors.
-pub(super) fn cone(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cone(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Plastic, 0xe8682a));
     let foot = 0.05 * a.h;

@@ -4,7 +4,7 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, is, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use crate::shapes::sphere;
 use scenelang_layout::Vec3;
 
@@ -14,7 +14,7 @@ fn seat_height(h: f64, usual: f64) -> f64 {
 }
 
 /// A board bent about the sitter: filled box, hollow side to the front.
-fn bent_back(m: &mut Model, b: Block, s: &Surface) {
+fn bent_back(m: &mut BuiltModel, b: Block, s: &Surface) {
     m.solid(b);
     let (size, c) = (b.size(), b.center());
     let half = 0.3 * size.z;
@@ -34,8 +34,8 @@ fn bent_back(m: &mut Model, b: Block, s: &Surface) {
 const ROCKING: [&str; 5] = ["rocking", "rocker", "glider", "nursing", "nursery"];
 
 /// Four legs, a seat, two posts and a bent back; upholstered if of cloth or leather.
-pub(super) fn chair(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn chair(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let seat = seat_height(a.h, 0.46);
     let main = a.main(stuff::OAK);
@@ -85,8 +85,8 @@ pub(super) fn chair(a: &Ask) -> Model {
 }
 
 /// Five castors, a gas spring, a padded seat, arms and a back.
-pub(super) fn office_chair(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn office_chair(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let seat = seat_height(a.h, 0.5);
     let main = a.main(stuff::DARK_CLOTH);
@@ -132,8 +132,8 @@ pub(super) fn office_chair(a: &Ask) -> Model {
 }
 
 /// A round seat on four splayed legs, with a ring for the feet where it is high.
-pub(super) fn stool(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn stool(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let legs = a.legs(&main);
@@ -168,8 +168,8 @@ pub(super) fn stool(a: &Ask) -> Model {
 }
 
 /// A plank on two frames; a high one has a back.
-pub(super) fn bench(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bench(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let legs = a.legs(&main);
@@ -207,11 +207,11 @@ pub(super) fn bench(a: &Ask) -> Model {
 }
 
 /// Sofas, and armchairs as the narrow ones: base, back, two arms, loose cushions; with `corner` or `sectional`, a chaise.
-pub(super) fn sofa(a: &Ask) -> Model {
+pub(super) fn sofa(a: &Ask) -> BuiltModel {
     if a.says(&["booth", "banquette"]) {
         return booth(a);
     }
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CLOTH);
     let light = shade(&main, 1.08);
@@ -266,8 +266,8 @@ pub(super) fn sofa(a: &Ask) -> Model {
 }
 
 /// A padded bench with a high back in upright channels, as in restaurants.
-fn booth(a: &Ask) -> Model {
-    let mut m = Model::default();
+fn booth(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Leather, 0x6e2f2c));
     let wood = a.second(stuff::WALNUT);
@@ -286,8 +286,8 @@ fn booth(a: &Ask) -> Model {
 }
 
 /// A padded block on short feet, or a round pouf.
-pub(super) fn ottoman(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn ottoman(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CLOTH);
     if a.says(&["bean", "beanbag"]) {
@@ -311,8 +311,8 @@ pub(super) fn ottoman(a: &Ask) -> Model {
 }
 
 /// A seat between two large wheels, with a back, arms and a footrest.
-pub(super) fn wheelchair(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn wheelchair(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_CLOTH);
     let frame = stuff::STEEL.surface();

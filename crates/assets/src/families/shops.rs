@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::{block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A padded seat between two panels with arm rests, and a high padded back.
-pub(super) fn theatre_seat(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn theatre_seat(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let pad = a.main(Stuff(Finish::Velvet, 0x8a2432));
     let (dark, wood) = (stuff::DARK_PLASTIC.surface(), stuff::WALNUT.surface());
@@ -34,8 +34,8 @@ const PETALS: &[Stuff] = &[
 ];
 
 /// A bucket of cut flowers of one colour.
-pub(super) fn flower_bucket(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn flower_bucket(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let zinc = a.main(Stuff(Finish::Metal, 0xa7adb0));
     let mut dice = a.dice();
@@ -74,8 +74,8 @@ const SCOOPS: &[Stuff] = &[
 ];
 
 /// A counter with tubs of ice cream behind a pane that the guests look through, at +z; who serves stands at -z.
-pub(super) fn ice_cream_counter(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn ice_cream_counter(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     let (steel, glass) = (stuff::STEEL.surface(), stuff::GLASS.surface());
@@ -105,8 +105,8 @@ pub(super) fn ice_cream_counter(a: &Ask) -> Model {
 const SLEEVES: &[u32] = &[0x2f5d7c, 0xb9422f, 0xd9a441, 0x3c6b4f, 0x222629, 0xe6dfd2, 0x7b4a75];
 
 /// A box on legs, open above, with records in rows that one leafs through.
-pub(super) fn record_bin(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn record_bin(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::OAK);
     let chest = b.share(0.0..1.0, 0.56..0.9, 0.0..1.0);
@@ -139,8 +139,8 @@ pub(super) fn record_bin(a: &Ask) -> Model {
 const FRUIT: &[u32] = &[0xc8402f, 0xe8912d, 0x6fa13c, 0xe3c23f, 0x5b3a63, 0xd97b4f];
 
 /// Crates of fruit and vegetables in tiers that rise to the back.
-pub(super) fn produce_stand(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn produce_stand(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::OAK);
     let mut dice = a.dice();
@@ -168,8 +168,8 @@ pub(super) fn produce_stand(a: &Ask) -> Model {
 }
 
 /// A basket of wire on wheels, with a handle at -z.
-pub(super) fn shopping_cart(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn shopping_cart(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wire = a.main(stuff::STEEL);
     let red = stuff::RED.surface();

@@ -3,11 +3,11 @@
 use crate::ask::Ask;
 use crate::block::pieces;
 use crate::looks::{Finish, Stuff, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A padded bench along z, and behind it two uprights with a barbell.
-pub(super) fn weight_bench(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn weight_bench(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let pad = a.main(Stuff(Finish::Leather, 0x23262b));
     let steel = stuff::BLACK_STEEL.surface();
@@ -35,8 +35,8 @@ pub(super) fn weight_bench(a: &Ask) -> Model {
 }
 
 /// Sides and shelves of steel, and on each shelf a row of dumbbells, larger ones below.
-pub(super) fn dumbbell_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn dumbbell_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let steel = a.main(stuff::BLACK_STEEL);
     let (iron, grip) = (stuff::RUBBER.surface(), stuff::CHROME.surface());
@@ -62,8 +62,8 @@ pub(super) fn dumbbell_rack(a: &Ask) -> Model {
 }
 
 /// A ball of iron with a handle over it.
-pub(super) fn kettlebell(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn kettlebell(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::RUBBER);
     let ball = b.share(0.0..1.0, 0.0..0.68, 0.0..1.0);
@@ -78,8 +78,8 @@ pub(super) fn kettlebell(a: &Ask) -> Model {
 }
 
 /// Two rails on posts, one higher than the other, for dancers.
-pub(super) fn barre(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn barre(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (wood, steel) = (a.main(stuff::OAK), stuff::STEEL.surface());
     for post in b.share(0.06..0.09, 0.03..0.97, 0.44..0.56).both_sides() {
@@ -95,8 +95,8 @@ pub(super) fn barre(a: &Ask) -> Model {
 }
 
 /// A cage of four uprights with a barbell on its hooks and bars that catch it.
-pub(super) fn squat_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn squat_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let steel = a.main(stuff::BLACK_STEEL);
     let (chrome, rubber) = (stuff::CHROME.surface(), stuff::RUBBER.surface());
@@ -127,8 +127,8 @@ pub(super) fn squat_rack(a: &Ask) -> Model {
 }
 
 /// A rail with a sliding seat, foot rests and a flywheel in its cage at the front; who rows looks to +z.
-pub(super) fn rowing_machine(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn rowing_machine(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let frame = a.main(stuff::BLACK_STEEL);
     let steel = stuff::STEEL.surface();

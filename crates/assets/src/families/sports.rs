@@ -6,11 +6,11 @@ use crate::block::{block, pieces};
 use crate::loft::oval;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// Boards to stand on, along their box: surfboard, snowboard, skateboard, and a pair of skis.
-pub(super) fn surfboard(a: &Ask) -> Model {
+pub(super) fn surfboard(a: &Ask) -> BuiltModel {
     let dark = stuff::DARK_PLASTIC.surface();
     if a.says(&["ski"]) {
         let paint = a.main(Stuff(Finish::Paint, 0xc63b2c));
@@ -80,7 +80,7 @@ pub(super) fn surfboard(a: &Ask) -> Model {
 }
 
 /// A ring: to turn about the hips, to hang from, and, of leaves, for a door.
-pub(super) fn hoop(a: &Ask) -> Model {
+pub(super) fn hoop(a: &Ask) -> BuiltModel {
     if a.says(&["wreath"]) {
         let leaf = stuff::LEAF.surface();
         return round(a, |mesh| {
@@ -108,8 +108,8 @@ pub(super) fn hoop(a: &Ask) -> Model {
 }
 
 /// A board with a ring and a net; on a pole with a heavy foot where it is high.
-pub(super) fn basketball_hoop(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn basketball_hoop(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let stands = a.h > 1.6;
     let orange = of(Finish::Paint, 0xd8602a);
@@ -155,8 +155,8 @@ pub(super) fn basketball_hoop(a: &Ask) -> Model {
 }
 
 /// Two posts with a net between them; it runs along the longer side.
-pub(super) fn net(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn net(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let post = a.main(stuff::BLACK_STEEL);
     let cord = of(Finish::Fabric, 0x4a4f52);
@@ -183,7 +183,7 @@ pub(super) fn net(a: &Ask) -> Model {
 }
 
 /// A frame with strings on a handle; a glass for a magnifier.
-pub(super) fn racket(a: &Ask) -> Model {
+pub(super) fn racket(a: &Ask) -> BuiltModel {
     let glass = a.says(&["magnifier", "magnifying"]);
     let usual = if glass { Stuff(Finish::Brass, 0xb9964f) } else { Stuff(Finish::Plastic, 0x2f5fa0) };
     let frame = a.main(usual);
@@ -216,7 +216,7 @@ pub(super) fn racket(a: &Ask) -> Model {
 }
 
 /// A bar with plates at its ends.
-pub(super) fn barbell(a: &Ask) -> Model {
+pub(super) fn barbell(a: &Ask) -> BuiltModel {
     let plate = a.main(Stuff(Finish::Rubber, 0x2a2b2d));
     let steel = stuff::CHROME.surface();
     long(a, |mesh| {
@@ -235,7 +235,7 @@ pub(super) fn barbell(a: &Ask) -> Model {
 const RINGS: [u32; 5] = [0xf2f0ea, 0x2a2b2d, 0x3f7fb5, 0xc8392f, 0xe8c445];
 
 /// A round target of coloured rings on three legs.
-pub(super) fn archery_target(a: &Ask) -> Model {
+pub(super) fn archery_target(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::OAK);
     small(a, |mesh| {
         for side in [-1.0, 1.0] {
@@ -254,7 +254,7 @@ pub(super) fn archery_target(a: &Ask) -> Model {
 }
 
 /// A point, a grip, a shaft with four vanes.
-pub(super) fn dart(a: &Ask) -> Model {
+pub(super) fn dart(a: &Ask) -> BuiltModel {
     let vane = a.main(Stuff(Finish::Plastic, 0xc8392f));
     long(a, |mesh| {
         cone(mesh, at(0.0, 0.0, 0.6), at(0.0, 0.0, 1.0), [0.02, 0.004], &stuff::STEEL.surface());
@@ -274,11 +274,11 @@ pub(super) fn dart(a: &Ask) -> Model {
 }
 
 /// A beam on spread legs, to balance on or to lay boards on; a bar between two posts to jump over.
-pub(super) fn trestle(a: &Ask) -> Model {
+pub(super) fn trestle(a: &Ask) -> BuiltModel {
     if a.says(&["hurdle"]) {
         return hurdle(a);
     }
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let balance = a.says(&["balance"]);
     let wood = a.main(Stuff(Finish::Wood, 0xc29a66));
@@ -311,8 +311,8 @@ pub(super) fn trestle(a: &Ask) -> Model {
     m
 }
 
-fn hurdle(a: &Ask) -> Model {
-    let mut m = Model::default();
+fn hurdle(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let steel = stuff::STEEL.surface();
     for foot in b.share(0.02..0.07, 0.0..0.04, 0.0..1.0).both_sides() {
@@ -331,7 +331,7 @@ fn hurdle(a: &Ask) -> Model {
 }
 
 /// A rhombus of cloth with a tail of ribbons.
-pub(super) fn kite(a: &Ask) -> Model {
+pub(super) fn kite(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Fabric, 0xd64f3c));
     let other = shade(&cloth, 1.7);
     long(a, |mesh| {
@@ -355,7 +355,7 @@ pub(super) fn kite(a: &Ask) -> Model {
 }
 
 /// Boats along their box: open to row, with a mast and sails where it is a model, long and pointed to paddle.
-pub(super) fn boat(a: &Ask) -> Model {
+pub(super) fn boat(a: &Ask) -> BuiltModel {
     let paddled = a.says(&["canoe", "kayak"]);
     let sails = a.says(&["toy", "model", "sail", "sailing", "ship", "sailboat"]);
     let usual = if paddled { Stuff(Finish::Plastic, 0xd0682c) } else { Stuff(Finish::Wood, 0x8f5a33) };

@@ -5,10 +5,10 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A pen, a pencil, a marker or a lipstick; some of them in a cup.
-pub(super) fn pen(a: &Ask) -> Model {
+pub(super) fn pen(a: &Ask) -> BuiltModel {
     if a.says(&["set"]) {
         let cup = a.main(stuff::DARK_PLASTIC);
         return small(a, |mesh| {
@@ -73,7 +73,7 @@ pub(super) fn pen(a: &Ask) -> Model {
 }
 
 /// Two blades that cross, with rings for the fingers.
-pub(super) fn scissors(a: &Ask) -> Model {
+pub(super) fn scissors(a: &Ask) -> BuiltModel {
     let grip = a.main(Stuff(Finish::Plastic, 0xc8392f));
     let steel = stuff::STEEL.surface();
     long(a, |mesh| {
@@ -94,7 +94,7 @@ pub(super) fn scissors(a: &Ask) -> Model {
 }
 
 /// An arm over a foot; a punch has two pins, a dispenser a reel of tape.
-pub(super) fn stapler(a: &Ask) -> Model {
+pub(super) fn stapler(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Plastic, 0xb8322c));
     let steel = stuff::STEEL.surface();
     let dark = stuff::DARK_PLASTIC.surface();
@@ -137,7 +137,7 @@ pub(super) fn stapler(a: &Ask) -> Model {
 }
 
 /// A strip with marks along its edge.
-pub(super) fn ruler(a: &Ask) -> Model {
+pub(super) fn ruler(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xd9b878));
     let dark = stuff::DARK_PLASTIC.surface();
     long(a, |mesh| {
@@ -151,7 +151,7 @@ pub(super) fn ruler(a: &Ask) -> Model {
 }
 
 /// A bow, a shank and a bit.
-pub(super) fn key(a: &Ask) -> Model {
+pub(super) fn key(a: &Ask) -> BuiltModel {
     let brass = a.main(stuff::BRASS);
     long(a, |mesh| {
         mesh.torus(block(-0.36..0.36, -0.07..0.07, -1.0..-0.3), 0.4, &brass);
@@ -165,7 +165,7 @@ pub(super) fn key(a: &Ask) -> Model {
 }
 
 /// A back with teeth.
-pub(super) fn comb(a: &Ask) -> Model {
+pub(super) fn comb(a: &Ask) -> BuiltModel {
     let horn = a.main(Stuff(Finish::Plastic, 0x3a2a20));
     long(a, |mesh| {
         mesh.rounded(block(0.02..0.2, -0.04..0.04, -1.0..1.0), 0.03, 1, &horn);
@@ -180,7 +180,7 @@ pub(super) fn comb(a: &Ask) -> Model {
 }
 
 /// Two dark glasses on a bridge, the temples to the back.
-pub(super) fn sunglasses(a: &Ask) -> Model {
+pub(super) fn sunglasses(a: &Ask) -> BuiltModel {
     let frame = a.main(stuff::DARK_PLASTIC);
     let glass = of(Finish::Glass, 0x2a2622);
     small(a, |mesh| {
@@ -205,7 +205,7 @@ pub(super) fn sunglasses(a: &Ask) -> Model {
 }
 
 /// Two tubes from the ears to one, and the disc at its end, laid in a bow.
-pub(super) fn stethoscope(a: &Ask) -> Model {
+pub(super) fn stethoscope(a: &Ask) -> BuiltModel {
     let rubber = a.main(Stuff(Finish::Rubber, 0x2f4f8f));
     let steel = stuff::CHROME.surface();
     small(a, |mesh| {
@@ -230,7 +230,7 @@ pub(super) fn stethoscope(a: &Ask) -> Model {
 }
 
 /// Folded leather with a strap and a button.
-pub(super) fn wallet(a: &Ask) -> Model {
+pub(super) fn wallet(a: &Ask) -> BuiltModel {
     let leather = a.main(Stuff(Finish::Leather, 0x6b4227));
     small(a, |mesh| {
         mesh.rounded(block(-1.0..1.0, 0.0..0.12, -0.8..0.8), 0.05, 2, &leather);
@@ -243,7 +243,7 @@ pub(super) fn wallet(a: &Ask) -> Model {
 }
 
 /// A case with the plug at its end.
-pub(super) fn usb_stick(a: &Ask) -> Model {
+pub(super) fn usb_stick(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Plastic, 0x2f6fa8));
     long(a, |mesh| {
         mesh.rounded(block(-0.34..0.34, -0.14..0.14, -1.0..0.4), 0.1, 2, &case);
@@ -256,7 +256,7 @@ pub(super) fn usb_stick(a: &Ask) -> Model {
 }
 
 /// A bar with rounded edges and a name in it; a rubber is half blue.
-pub(super) fn soap(a: &Ask) -> Model {
+pub(super) fn soap(a: &Ask) -> BuiltModel {
     if a.says(&["eraser", "rubber"]) {
         let rubber = a.main(Stuff(Finish::Rubber, 0xe08a90));
         return long(a, |mesh| {
@@ -278,7 +278,7 @@ pub(super) fn soap(a: &Ask) -> Model {
 }
 
 /// A glass tube with a bulb of red.
-pub(super) fn thermometer(a: &Ask) -> Model {
+pub(super) fn thermometer(a: &Ask) -> BuiltModel {
     let glass = a.main(stuff::GLASS);
     long(a, |mesh| {
         cone(mesh, at(0.0, 0.0, -0.86), at(0.0, 0.0, 1.0), [0.09, 0.08], &glass);
@@ -297,7 +297,7 @@ fn marks(mesh: &mut Mesh, s: &Surface) {
 }
 
 /// Flat things to put something on: a mat for a mouse, a mat for a cup.
-pub(super) fn mat(a: &Ask) -> Model {
+pub(super) fn mat(a: &Ask) -> BuiltModel {
     let round = a.says(&["coaster"]);
     let main = a.main(if round { Stuff(Finish::Wood, 0xb98a55) } else { Stuff(Finish::Rubber, 0x2f3f5f) });
     small(a, |mesh| {

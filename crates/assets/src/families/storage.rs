@@ -6,10 +6,10 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// Doors in columns over a face that looks to +z, which open; handles at the meeting edges.
-fn doors(m: &mut Model, face: Block, columns: usize, deep: f64, front: &Surface, grip: &Surface) {
+fn doors(m: &mut BuiltModel, face: Block, columns: usize, deep: f64, front: &Surface, grip: &Surface) {
     let tall = face.size().y > 1.1;
     let opens = m.joints.len() + columns <= MOST;
     if !opens {
@@ -36,7 +36,7 @@ fn doors(m: &mut Model, face: Block, columns: usize, deep: f64, front: &Surface,
 }
 
 /// Rows of drawers, of so many in all, in a face that fills the front of a hollow body as deep as the object.
-fn pulled(m: &mut Model, face: Block, (rows, all): (usize, usize), deep: f64, [front, grip]: [&Surface; 2]) {
+fn pulled(m: &mut BuiltModel, face: Block, (rows, all): (usize, usize), deep: f64, [front, grip]: [&Surface; 2]) {
     drawers(m, face, rows, deep, front, grip);
     let fronts = face.z(face.max.z - deep..face.max.z);
     if all > MOST {
@@ -49,7 +49,7 @@ fn pulled(m: &mut Model, face: Block, (rows, all): (usize, usize), deep: f64, [f
 }
 
 /// The casing of a cupboard: carcass with a plinth, or on legs; returns the face that the fronts fill, `deep` thick.
-fn casing(m: &mut Model, a: &Ask, main: &Surface, legs: Option<&Surface>) -> (Block, f64) {
+fn casing(m: &mut BuiltModel, a: &Ask, main: &Surface, legs: Option<&Surface>) -> (Block, f64) {
     let b = a.whole();
     let deep = 0.045_f64.min(0.12 * a.d);
     let raise = if legs.is_some() { 0.14_f64.min(0.22 * a.h) } else { 0.06_f64.min(0.08 * a.h) };
@@ -70,8 +70,8 @@ fn casing(m: &mut Model, a: &Ask, main: &Surface, legs: Option<&Surface>) -> (Bl
 }
 
 /// Cupboards: doors; low wide ones stand on legs.
-pub(super) fn cabinet(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cabinet(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::OAK);
     let legs = a.second(stuff::BLACK_STEEL);
     let low = a.h < 1.0 && a.w > 0.7 && !a.says(&["kitchen", "base", "wall", "filing", "storage"]);
@@ -109,8 +109,8 @@ pub(super) fn cabinet(a: &Ask) -> Model {
 }
 
 /// Tall doors, and drawers below where there is room.
-pub(super) fn wardrobe(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn wardrobe(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::OAK);
     let grip = stuff::BLACK_STEEL.surface();
     let (face, deep) = casing(&mut m, a, &main, None);
@@ -130,8 +130,8 @@ pub(super) fn wardrobe(a: &Ask) -> Model {
 }
 
 /// Chests of drawers, bedside tables (on legs), filing cabinets.
-pub(super) fn chest(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn chest(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let office = a.says(&["file", "filing", "office"]);
     let tools = a.says(&["tool"]);
     let main = a.main(match () {
@@ -153,8 +153,8 @@ pub(super) fn chest(a: &Ask) -> Model {
 }
 
 /// Steel lockers with vents.
-pub(super) fn locker(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn locker(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(Stuff(Finish::Paint, 0x6f8aa3));
     let (face, deep) = casing(&mut m, a, &main, None);
     let front = shade(&main, 1.08);
@@ -176,8 +176,8 @@ pub(super) fn locker(a: &Ask) -> Model {
 }
 
 /// A low unit for a television: doors left and right, an open shelf between.
-pub(super) fn tv_stand(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn tv_stand(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(stuff::WALNUT);
     let legs = a.second(stuff::BLACK_STEEL);
     let (face, deep) = casing(&mut m, a, &main, Some(&legs));
@@ -201,7 +201,7 @@ pub(super) fn tv_stand(a: &Ask) -> Model {
 const BOOKS: [u32; 9] = [0x8c3b33, 0x2f4b66, 0xd9cdb4, 0x4f6b52, 0xc79a4a, 0x3a3d44, 0xa9b7bd, 0x7a5470, 0xe8e4da];
 
 /// Books side by side on a board: a run from the left edge of `space`, a box for touch and single books to see.
-fn book_run(m: &mut Model, space: Block, dice: &mut crate::words::Dice) {
+fn book_run(m: &mut BuiltModel, space: Block, dice: &mut crate::words::Dice) {
     let size = space.size();
     let mut x = space.min.x;
     let high = 0.82 * size.y;
@@ -224,7 +224,7 @@ fn book_run(m: &mut Model, space: Block, dice: &mut crate::words::Dice) {
 }
 
 /// Boards between two sides: the free spaces from the bottom up. Boards are parts.
-fn shelves(m: &mut Model, inner: Block, n: usize, thick: f64, s: &Surface) -> Vec<Block> {
+fn shelves(m: &mut BuiltModel, inner: Block, n: usize, thick: f64, s: &Surface) -> Vec<Block> {
     let step = (inner.size().y - thick) / n as f64;
     let mut spaces = Vec::new();
     for i in 0..=n {
@@ -238,8 +238,8 @@ fn shelves(m: &mut Model, inner: Block, n: usize, thick: f64, s: &Surface) -> Ve
 }
 
 /// A bookcase with a back, boards and some books; room is left on every shelf.
-pub(super) fn bookshelf(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bookshelf(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::OAK);
@@ -268,8 +268,8 @@ pub(super) fn bookshelf(a: &Ask) -> Model {
 }
 
 /// Open shelves between frames, empty for what is put on them.
-pub(super) fn open_shelf(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn open_shelf(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     if a.h < 0.4 && a.h < a.w {
@@ -301,8 +301,8 @@ pub(super) fn open_shelf(a: &Ask) -> Model {
 }
 
 /// Heavy racks: uprights, beams, boards, and cartons on some of them.
-pub(super) fn rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let posts = a.main(Stuff(Finish::Paint, 0x2f5d8f));
@@ -354,7 +354,7 @@ pub(super) fn rack(a: &Ask) -> Model {
 }
 
 /// A closed carton with tape.
-pub(super) fn carton(m: &mut Model, b: Block, s: &Surface) {
+pub(super) fn carton(m: &mut BuiltModel, b: Block, s: &Surface) {
     let size = b.size();
     let tape = shade(s, 1.5);
     let lip = 0.002_f64.min(0.02 * size.min());
@@ -367,8 +367,8 @@ pub(super) fn carton(m: &mut Model, b: Block, s: &Surface) {
 }
 
 /// A shelf for a shop: a spine, a base, and boards with goods on both sides.
-pub(super) fn gondola(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn gondola(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
@@ -399,8 +399,8 @@ pub(super) fn gondola(a: &Ask) -> Model {
 }
 
 /// Units of blinking machines behind a dark frame.
-pub(super) fn server_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn server_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::BLACK_STEEL);
@@ -426,8 +426,8 @@ pub(super) fn server_rack(a: &Ask) -> Model {
 }
 
 /// Glass on a base, with shelves.
-pub(super) fn display_case(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn display_case(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     let base = if a.h > 1.3 { 0.18 * a.h } else { 0.35 * a.h };
@@ -477,8 +477,8 @@ const EXHIBITS: &[Stuff] =
     &[Stuff(Finish::Ceramic, 0xe8e4da), Stuff(Finish::Ceramic, 0x6f8f9b), Stuff(Finish::Ceramic, 0xc58b5a)];
 
 /// A pole with hooks on a round foot.
-pub(super) fn coat_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn coat_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WALNUT);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -499,8 +499,8 @@ pub(super) fn coat_rack(a: &Ask) -> Model {
 }
 
 /// A rail between two stands, clothes on it.
-pub(super) fn clothes_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn clothes_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::BLACK_STEEL);
@@ -526,7 +526,7 @@ pub(super) fn clothes_rack(a: &Ask) -> Model {
 }
 
 /// A pallet with cartons on it that fill so much of the height.
-fn loaded_pallet(m: &mut Model, place: Block, full: f64, paper: u32) {
+fn loaded_pallet(m: &mut BuiltModel, place: Block, full: f64, paper: u32) {
     let size = place.size();
     let wood = 0.14_f64.min(0.3 * size.y);
     m.solid(place.y(place.min.y..place.min.y + wood));

@@ -6,11 +6,11 @@ use crate::ask::Ask;
 use crate::block::{block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// A post with a lamp on an arm or, lower, under a hat.
-pub(super) fn street_lamp(a: &Ask) -> Model {
+pub(super) fn street_lamp(a: &Ask) -> BuiltModel {
     let iron = a.main(stuff::BLACK_STEEL);
     let glow = of(Finish::Glow, 0xfff0c8);
     small(a, |mesh| {
@@ -31,7 +31,7 @@ pub(super) fn street_lamp(a: &Ask) -> Model {
 }
 
 /// A frame with glass, a flame in it, and a ring to carry it by.
-pub(super) fn lantern(a: &Ask) -> Model {
+pub(super) fn lantern(a: &Ask) -> BuiltModel {
     let iron = a.main(stuff::BLACK_STEEL);
     small(a, |mesh| {
         mesh.crisp(block(-0.6..0.6, 0.0..0.12, -0.6..0.6), &iron);
@@ -60,7 +60,7 @@ pub(super) fn lantern(a: &Ask) -> Model {
 }
 
 /// A barrel with caps and a dome.
-pub(super) fn hydrant(a: &Ask) -> Model {
+pub(super) fn hydrant(a: &Ask) -> BuiltModel {
     let red = a.main(stuff::RED);
     let steel = stuff::STEEL.surface();
     small(a, |mesh| {
@@ -85,7 +85,7 @@ pub(super) fn hydrant(a: &Ask) -> Model {
 }
 
 /// A post with bands.
-pub(super) fn bollard(a: &Ask) -> Model {
+pub(super) fn bollard(a: &Ask) -> BuiltModel {
     let iron = a.main(stuff::BLACK_STEEL);
     small(a, |mesh| {
         mesh.drum(block(-0.45..0.45, 0.0..0.1, -0.45..0.45), &iron);
@@ -102,7 +102,7 @@ pub(super) fn bollard(a: &Ask) -> Model {
 }
 
 /// Two boards that lean together, yellow, with a sign of danger.
-pub(super) fn floor_sign(a: &Ask) -> Model {
+pub(super) fn floor_sign(a: &Ask) -> BuiltModel {
     let yellow = a.main(Stuff(Finish::Plastic, 0xf0c020));
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -124,7 +124,7 @@ pub(super) fn floor_sign(a: &Ask) -> Model {
 }
 
 /// A head with a window and a slot for coins on a pole.
-pub(super) fn parking_meter(a: &Ask) -> Model {
+pub(super) fn parking_meter(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Metal, 0x6f7a80));
     small(a, |mesh| {
         mesh.drum(block(-0.35..0.35, 0.0..0.08, -0.35..0.35), &case);
@@ -142,7 +142,7 @@ pub(super) fn parking_meter(a: &Ask) -> Model {
 }
 
 /// A box with a round back, a flap with a slot, and a flag.
-pub(super) fn mailbox(a: &Ask) -> Model {
+pub(super) fn mailbox(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::RED);
     small(a, |mesh| {
         let arch: Vec<(f64, f64)> = (0..=10)
@@ -165,7 +165,7 @@ pub(super) fn mailbox(a: &Ask) -> Model {
 }
 
 /// Two posts and a bar, and a net behind.
-pub(super) fn goal(a: &Ask) -> Model {
+pub(super) fn goal(a: &Ask) -> BuiltModel {
     let paint = a.main(stuff::WHITE);
     let rope = of(Finish::Fabric, 0xc9ccd0);
     small(a, |mesh| {
@@ -195,7 +195,7 @@ pub(super) fn goal(a: &Ask) -> Model {
 }
 
 /// A post with three arms that turn, between two housings.
-pub(super) fn turnstile(a: &Ask) -> Model {
+pub(super) fn turnstile(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -215,7 +215,7 @@ pub(super) fn turnstile(a: &Ask) -> Model {
 }
 
 /// Frames of tubes with a deck of boards and braces.
-pub(super) fn scaffold(a: &Ask) -> Model {
+pub(super) fn scaffold(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     let wood = of(Finish::Wood, 0xb98a55);
     small(a, |mesh| {
@@ -243,7 +243,7 @@ pub(super) fn scaffold(a: &Ask) -> Model {
 }
 
 /// Hoops on two rails.
-pub(super) fn bike_rack(a: &Ask) -> Model {
+pub(super) fn bike_rack(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     small(a, |mesh| {
         for z in [-0.5, 0.5] {
@@ -265,7 +265,7 @@ pub(super) fn bike_rack(a: &Ask) -> Model {
 }
 
 /// A frame of planks with sand in it, a bucket and a shovel.
-pub(super) fn sandbox(a: &Ask) -> Model {
+pub(super) fn sandbox(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb98a55));
     small(a, |mesh| {
         for side in block(-1.0..-0.88, 0.0..0.3, -1.0..1.0).both_sides() {
@@ -296,11 +296,11 @@ pub(super) fn sandbox(a: &Ask) -> Model {
 }
 
 /// A roof on posts; of cloth where it is a canopy.
-pub(super) fn gazebo(a: &Ask) -> Model {
+pub(super) fn gazebo(a: &Ask) -> BuiltModel {
     let cloth = a.says(&["canopy"]);
     let wood = a.main(if cloth { stuff::WHITE } else { Stuff(Finish::Wood, 0x9c6a3c) });
     let roof = a.second(if cloth { Stuff(Finish::Fabric, 0xe9e4da) } else { Stuff(Finish::Wood, 0x6b4a34) });
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     for post in b.share(0.0..0.05, 0.0..0.74, 0.0..0.05).four_corners() {
         m.board(post, &wood);
@@ -322,11 +322,11 @@ pub(super) fn gazebo(a: &Ask) -> Model {
 }
 
 /// A stair of steel, or a belt, between glass sides with rubber rails.
-pub(super) fn walkway(a: &Ask) -> Model {
+pub(super) fn walkway(a: &Ask) -> BuiltModel {
     let steel = a.main(stuff::STEEL);
     let (glass, rubber) = (stuff::GLASS.surface(), stuff::RUBBER.surface());
     let rises = a.says(&["escalator"]);
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let n = pieces(b.size().z, 0.35, 4, 20);
     let top = if rises { 0.66 } else { 0.12 };
@@ -369,7 +369,7 @@ pub(super) fn walkway(a: &Ask) -> Model {
 }
 
 /// Four leaves of glass on an axle, in a round case.
-pub(super) fn revolving_door(a: &Ask) -> Model {
+pub(super) fn revolving_door(a: &Ask) -> BuiltModel {
     let frame = a.main(stuff::BLACK_STEEL);
     let glass = stuff::GLASS.surface();
     small(a, |mesh| {
@@ -406,12 +406,12 @@ pub(super) fn revolving_door(a: &Ask) -> Model {
 }
 
 /// Lines on the floor: the bay of a car, the fields of hopscotch, a strip of stripes.
-pub(super) fn floor_marking(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn floor_marking(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
     let paint = a.main(Stuff(Finish::Paint, if a.says(&["parking"]) { 0xf1f0ec } else { 0xf0c020 }));
-    let line = |m: &mut Model, x: [f64; 2], z: [f64; 2]| {
+    let line = |m: &mut BuiltModel, x: [f64; 2], z: [f64; 2]| {
         m.mesh.crisp(b.share(1.0 - x[1]..1.0 - x[0], 0.0..1.0, z[0]..z[1]), &paint)
     };
     if a.says(&["parking"]) {
@@ -447,7 +447,7 @@ pub(super) fn floor_marking(a: &Ask) -> Model {
 }
 
 /// A frame with slanted bars in it.
-fn stripes(m: &mut Model, b: crate::block::Block, paint: &Surface) {
+fn stripes(m: &mut BuiltModel, b: crate::block::Block, paint: &Surface) {
     for x in [0.0..0.06, 0.94..1.0] {
         m.mesh.crisp(b.share(x, 0.0..1.0, 0.0..1.0), paint);
     }

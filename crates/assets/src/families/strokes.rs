@@ -5,7 +5,7 @@ use crate::ask::Ask;
 use crate::block::Block;
 use crate::looks::{Finish, Stuff, shade};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A point.
@@ -14,8 +14,8 @@ pub(super) fn at(x: f64, y: f64, z: f64) -> Vec3 {
 }
 
 /// A thing in one solid; its mesh is drawn in any unit and stretched to fill the box.
-pub(super) fn small(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
-    let mut m = Model::default();
+pub(super) fn small(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> BuiltModel {
+    let mut m = BuiltModel::default();
     m.solid(a.whole());
     m.mesh.stretch(a.whole(), draw);
     m
@@ -23,7 +23,7 @@ pub(super) fn small(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
 
 /// Something long, drawn with its length along z, less wide along x and thin along y. It lies as its box does; in a box that
 /// is high it stands on its −z end, and in one that is higher than deep its +x side is up.
-pub(super) fn long(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
+pub(super) fn long(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> BuiltModel {
     let rot = if a.h >= a.w && a.h >= a.d {
         [-90.0, if a.w >= a.d { 0.0 } else { 90.0 }, 0.0]
     } else if a.d >= a.w {
@@ -35,13 +35,13 @@ pub(super) fn long(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
 }
 
 /// Something upright that looks to +z, and to +x if its box is wider than deep.
-pub(super) fn headed(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
+pub(super) fn headed(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> BuiltModel {
     let rot = [0.0, if a.w > a.d { 90.0 } else { 0.0 }, 0.0];
     small(a, |mesh| mesh.place(Vec3::zeros(), rot, draw))
 }
 
 /// Something round, drawn about the upright axis; it is turned to the axis about which its box is most nearly square.
-pub(super) fn round(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> Model {
+pub(super) fn round(a: &Ask, draw: impl FnOnce(&mut Mesh)) -> BuiltModel {
     let off = |one: f64, other: f64| (one / other).ln().abs();
     let (upright, ahead, aside) = (off(a.w, a.d), off(a.w, a.h), off(a.h, a.d));
     let rot = if upright <= ahead && upright <= aside {

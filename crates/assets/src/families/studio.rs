@@ -3,10 +3,10 @@
 use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// Three legs that meet at a share of the height, their feet at the sides of the box.
-fn tripod(m: &mut Model, a: &Ask, up: f64, metal: &crate::mesh::Surface) {
+fn tripod(m: &mut BuiltModel, a: &Ask, up: f64, metal: &crate::mesh::Surface) {
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     let t = 0.03_f64.min(0.08 * a.w).min(0.1 * a.d);
     let head = block(-t / 2.0..t / 2.0, up - t.min(0.1 * up)..up, -t / 2.0..t / 2.0);
@@ -16,8 +16,8 @@ fn tripod(m: &mut Model, a: &Ask, up: f64, metal: &crate::mesh::Surface) {
 }
 
 /// A camera on three legs; it looks to the front.
-pub(super) fn camera_tripod(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn camera_tripod(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let body = a.main(stuff::DARK_PLASTIC);
     let metal = stuff::BLACK_STEEL.surface();
     let neck = 0.86 * a.h;
@@ -34,8 +34,8 @@ pub(super) fn camera_tripod(a: &Ask) -> Model {
 }
 
 /// A telescope on three legs: a long tube that rises to the front, with its eyepiece low at the back.
-pub(super) fn telescope(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn telescope(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let tube = a.main(stuff::WHITE);
     let metal = stuff::BLACK_STEEL.surface();
     let neck = 0.66 * a.h;
@@ -67,8 +67,8 @@ pub(super) fn telescope(a: &Ask) -> Model {
 }
 
 /// A light in a box of cloth, which shines to the front.
-pub(super) fn softbox(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn softbox(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let metal = stuff::BLACK_STEEL.surface();
     let cloth = a.main(Stuff(Finish::Fabric, 0x22252a));
     let low = 0.62 * a.h;
@@ -87,8 +87,8 @@ pub(super) fn softbox(a: &Ask) -> Model {
 }
 
 /// A sheet that hangs from a bar between two stands and runs out over the floor.
-pub(super) fn backdrop(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn backdrop(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let sheet = a.main(Stuff(Finish::Paper, 0xd9dbd6));
     let metal = stuff::BLACK_STEEL.surface();
@@ -108,8 +108,8 @@ pub(super) fn backdrop(a: &Ask) -> Model {
 }
 
 /// A desk of faders and knobs that rises to the back; a tall one on legs.
-pub(super) fn mixing_desk(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn mixing_desk(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let main = a.main(Stuff(Finish::Plastic, 0x3a3f47));
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     // What is as tall as a table stands on legs of its own.

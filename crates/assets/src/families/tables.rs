@@ -4,15 +4,15 @@ use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A handle bar across the front of a drawer or door that faces +z; `front` is the free space it may fill.
-pub(super) fn handle(m: &mut Model, front: Block, s: &Surface) {
+pub(super) fn handle(m: &mut BuiltModel, front: Block, s: &Surface) {
     m.mesh.rounded(front, 0.004, 1, s);
 }
 
 /// A stack of drawer fronts that fill a face looking to +z: the casing ends `deep` behind the face.
-pub(super) fn drawers(m: &mut Model, face: Block, rows: usize, deep: f64, front: &Surface, grip: &Surface) {
+pub(super) fn drawers(m: &mut BuiltModel, face: Block, rows: usize, deep: f64, front: &Surface, grip: &Surface) {
     for f in face.z(face.max.z - deep..face.max.z - 0.45 * deep).split(1, rows, 0.006) {
         let f = f.inset(0.004, 0.0, 0.0);
         m.mesh.board(f, front);
@@ -24,13 +24,13 @@ pub(super) fn drawers(m: &mut Model, face: Block, rows: usize, deep: f64, front:
 }
 
 /// Dining, side, coffee and conference tables, by words and size.
-pub(super) fn table(a: &Ask) -> Model {
+pub(super) fn table(a: &Ask) -> BuiltModel {
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let legs = a.legs(&main);
     let round = a.says(&["round", "circular", "oval", "pedestal", "bistro"]);
     let large = a.w.min(a.d) > 0.8 && a.w.max(a.d) > 2.0;
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let thick = if large { 0.05 } else { 0.035_f64 }.min(0.12 * a.h);
     let under = a.h - thick;
     if round && !(large && a.w.max(a.d) > 1.7 * a.w.min(a.d)) {
@@ -73,7 +73,7 @@ pub(super) fn table(a: &Ask) -> Model {
 }
 
 /// Two panels on feet and a beam, across the longer side: the long sides stay free for knees.
-fn trestles(m: &mut Model, b: Block, s: &Surface) {
+fn trestles(m: &mut BuiltModel, b: Block, s: &Surface) {
     let size = b.size();
     let long = usize::from(size.z > size.x) * 2;
     let cross = 2 - long;
@@ -98,8 +98,8 @@ fn trestles(m: &mut Model, b: Block, s: &Surface) {
 }
 
 /// A desk along the back of its box with a return at the right; its user sits in the corner between them.
-fn corner_desk(a: &Ask, main: &Surface, thick: f64) -> Model {
-    let mut m = Model::default();
+fn corner_desk(a: &Ask, main: &Surface, thick: f64) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let legs = a.legs(main);
     let under = a.h - thick;
@@ -123,8 +123,8 @@ fn corner_desk(a: &Ask, main: &Surface, thick: f64) -> Model {
 
 /// A desk; its user sits at +z. Wide ones have drawers on the right; `standing` ones two lifting columns, school desks four
 /// legs.
-pub(super) fn desk(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn desk(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let thick = 0.03_f64.min(0.1 * a.h);
@@ -181,8 +181,8 @@ pub(super) fn desk(a: &Ask) -> Model {
 }
 
 /// Counters of every trade: a body with a top that overhangs to the front, where the customer stands.
-pub(super) fn counter(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn counter(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
     let thick = 0.04_f64.min(0.15 * a.h);
@@ -245,11 +245,11 @@ pub(super) fn counter(a: &Ask) -> Model {
 }
 
 /// A thick top on four strong legs with a shelf below; laboratories have cupboards instead.
-pub(super) fn workbench(a: &Ask) -> Model {
+pub(super) fn workbench(a: &Ask) -> BuiltModel {
     if a.says(&["lab", "laboratory", "chemistry", "demonstration"]) {
         return counter(a);
     }
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let top = a.main(stuff::BIRCH);
     let frame = a.second(stuff::BLACK_STEEL);
@@ -278,8 +278,8 @@ pub(super) fn workbench(a: &Ask) -> Model {
 }
 
 /// A slanted board on a column: the audience is at +z, the speaker behind.
-pub(super) fn lectern(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn lectern(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WALNUT);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
@@ -297,8 +297,8 @@ pub(super) fn lectern(a: &Ask) -> Model {
 }
 
 /// A low platform with an edge.
-pub(super) fn platform(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn platform(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::OAK);
     let floor = 0.03_f64.min(0.3 * a.h);
@@ -312,8 +312,8 @@ pub(super) fn platform(a: &Ask) -> Model {
 }
 
 /// Green cloth between wooden rails, on thick legs; ping-pong tables have a net.
-pub(super) fn game_table(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn game_table(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if a.says(&["pong", "tennis"]) {
         let main = a.tinted(Stuff(Finish::Paint, 0x2b5d8c));

@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::loft::oval;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// A tap with its spout to the front; a column with handles for beer; the head of a shower.
-pub(super) fn tap(a: &Ask) -> Model {
+pub(super) fn tap(a: &Ask) -> BuiltModel {
     let chrome = a.main(stuff::CHROME);
     let dark = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -71,7 +71,7 @@ pub(super) fn tap(a: &Ask) -> Model {
 }
 
 /// A tube that is flat at its end, with a cap.
-pub(super) fn tube(a: &Ask) -> Model {
+pub(super) fn tube(a: &Ask) -> BuiltModel {
     let paint = a.says(&["paint"]);
     let foil = a.main(if paint { Stuff(Finish::Metal, 0xc9ccd0) } else { Stuff(Finish::Plastic, 0x3f93b5) });
     long(a, |mesh| {
@@ -100,7 +100,7 @@ pub(super) fn tube(a: &Ask) -> Model {
 }
 
 /// A barrel with a head that shines.
-pub(super) fn flashlight(a: &Ask) -> Model {
+pub(super) fn flashlight(a: &Ask) -> BuiltModel {
     let case = a.main(stuff::DARK_PLASTIC);
     long(a, |mesh| {
         cone(mesh, at(0.0, 0.0, -1.0), at(0.0, 0.0, 0.4), [0.17, 0.17], &case);
@@ -115,7 +115,7 @@ pub(super) fn flashlight(a: &Ask) -> Model {
 }
 
 /// A bulb of glass on its screw.
-pub(super) fn lightbulb(a: &Ask) -> Model {
+pub(super) fn lightbulb(a: &Ask) -> BuiltModel {
     let glass = a.main(Stuff(Finish::Glow, 0xffe9b8));
     small(a, |mesh| {
         let bulb =
@@ -135,7 +135,7 @@ pub(super) fn lightbulb(a: &Ask) -> Model {
 }
 
 /// A pointed sole under a case with a handle.
-pub(super) fn iron(a: &Ask) -> Model {
+pub(super) fn iron(a: &Ask) -> BuiltModel {
     let case = a.main(Stuff(Finish::Plastic, 0x3f7fb5));
     headed(a, |mesh| {
         // The middle of the point is in front: half of an oval, square behind.
@@ -158,7 +158,7 @@ pub(super) fn iron(a: &Ask) -> Model {
 }
 
 /// An open box with compartments, a handle over it, and what is kept in it.
-pub(super) fn caddy(a: &Ask) -> Model {
+pub(super) fn caddy(a: &Ask) -> BuiltModel {
     let hung = a.says(&["shower"]);
     let main = a.main(if hung { stuff::CHROME } else { stuff::OAK });
     small(a, |mesh| {
@@ -201,7 +201,7 @@ pub(super) fn caddy(a: &Ask) -> Model {
 }
 
 /// A block that leans back, with handles of knives; a pot with spoons and turners.
-pub(super) fn knife_block(a: &Ask) -> Model {
+pub(super) fn knife_block(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0x9c6a3c));
     let (dark, steel) = (stuff::DARK_PLASTIC.surface(), stuff::STEEL.surface());
     small(a, |mesh| {
@@ -246,7 +246,7 @@ pub(super) fn knife_block(a: &Ask) -> Model {
 }
 
 /// A strip with sockets and a switch.
-pub(super) fn power_strip(a: &Ask) -> Model {
+pub(super) fn power_strip(a: &Ask) -> BuiltModel {
     let white = a.main(Stuff(Finish::Plastic, 0xc9ccce));
     let dark = stuff::DARK_PLASTIC.surface();
     long(a, |mesh| {
@@ -263,7 +263,7 @@ pub(super) fn power_strip(a: &Ask) -> Model {
 }
 
 /// The shade of a lamp, open above and below.
-pub(super) fn lampshade(a: &Ask) -> Model {
+pub(super) fn lampshade(a: &Ask) -> BuiltModel {
     let cloth = a.main(Stuff(Finish::Fabric, 0xd9c39a));
     small(a, |mesh| {
         mesh.lathe(
@@ -281,7 +281,7 @@ pub(super) fn lampshade(a: &Ask) -> Model {
 }
 
 /// A palette with a hole for the thumb and dabs of paint.
-pub(super) fn palette(a: &Ask) -> Model {
+pub(super) fn palette(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb9803f));
     let colors = [0xc8392f, 0xe8822a, 0xe3bd3a, 0x6da544, 0x3f7fb5, 0x7a5aa0];
     long(a, |mesh| {

@@ -5,10 +5,10 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A tool for the hand, told by its name; a spanner if it says nothing more.
-pub(super) fn tool(a: &Ask) -> Model {
+pub(super) fn tool(a: &Ask) -> BuiltModel {
     let grip = a.main(Stuff(Finish::Plastic, 0xc63b2c));
     let wood = a.main(Stuff(Finish::Wood, 0xa8703c));
     let steel = of(Finish::Metal, 0x8f969c);
@@ -66,7 +66,7 @@ pub(super) fn tool(a: &Ask) -> Model {
 }
 
 /// In its stand, the tip in a coil.
-fn soldering_iron(a: &Ask, grip: &Surface, steel: &Surface) -> Model {
+fn soldering_iron(a: &Ask, grip: &Surface, steel: &Surface) -> BuiltModel {
     headed(a, |mesh| {
         mesh.rounded(block(-0.5..0.5, 0.0..0.14, -0.7..0.9), 0.04, 1, &stuff::DARK_PLASTIC.surface());
         mesh.rounded(block(-0.3..0.3, 0.14..0.24, 0.4..0.8), 0.04, 1, &of(Finish::Rubber, 0xd9b33a));
@@ -162,7 +162,7 @@ fn chainsaw(mesh: &mut Mesh, case: &Surface, steel: &Surface) {
 }
 
 /// What has a long handle, standing with its lower end down: brooms, mops, rakes, shovels, oars, sticks.
-pub(super) fn broom(a: &Ask) -> Model {
+pub(super) fn broom(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb98a55));
     let steel = of(Finish::Metal, 0x7f878d);
     let up = at(0.0, 1.0, 0.0);
@@ -233,7 +233,7 @@ pub(super) fn broom(a: &Ask) -> Model {
 }
 
 /// Brushes: for paint, for hair, for hands and floors, for dust.
-pub(super) fn brush(a: &Ask) -> Model {
+pub(super) fn brush(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb5763a));
     let (hair, steel) = (of(Finish::Fabric, 0x54402f), stuff::STEEL.surface());
     let up = at(0.0, 1.0, 0.0);
@@ -288,7 +288,7 @@ pub(super) fn brush(a: &Ask) -> Model {
 }
 
 /// Two jaws, a screw with a bar to turn it, a foot.
-pub(super) fn vise(a: &Ask) -> Model {
+pub(super) fn vise(a: &Ask) -> BuiltModel {
     let iron = a.main(Stuff(Finish::Paint, 0x2f5f8e));
     let steel = stuff::STEEL.surface();
     small(a, |mesh| {
@@ -310,10 +310,10 @@ pub(super) fn vise(a: &Ask) -> Model {
 }
 
 /// A face with a horn on a waist; where it is high it stands on a block of wood.
-pub(super) fn anvil(a: &Ask) -> Model {
+pub(super) fn anvil(a: &Ask) -> BuiltModel {
     let iron = a.main(Stuff(Finish::Iron, 0x3a3e43));
     let low = if a.h > a.w { 0.55 * a.h } else { 0.0 };
-    let mut m = Model::default();
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if low > 0.0 {
         m.drum(b.share(0.12..0.88, 0.0..1.0, 0.0..1.0).y(0.0..low), &stuff::OAK.surface());

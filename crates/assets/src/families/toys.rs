@@ -4,11 +4,11 @@ use super::strokes::{of, small};
 use crate::ask::Ask;
 use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A bear that sits, or another animal of cloth: rabbit, koala, monkey, frog.
-pub(super) fn teddy(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn teddy(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (rabbit, koala) = (a.says(&["rabbit", "bunny", "hare"]), a.says(&["koala"]));
     let (monkey, frog) = (a.says(&["monkey"]), a.says(&["frog"]));
@@ -74,7 +74,7 @@ pub(super) fn teddy(a: &Ask) -> Model {
 const COLORS: [u32; 6] = [0xc8392f, 0x3f7fb5, 0xe3bd3a, 0x6da544, 0xd9783a, 0x7a5aa0];
 
 /// A block to build with: with a letter's field on each side, with studs, with the nine colours of a side; a brick.
-pub(super) fn building_block(a: &Ask) -> Model {
+pub(super) fn building_block(a: &Ask) -> BuiltModel {
     if a.says(&["rubik", "cube"]) {
         return small(a, |mesh| {
             mesh.rounded(block(-1.0..1.0, -1.0..1.0, -1.0..1.0), 0.06, 1, &stuff::DARK_PLASTIC.surface());
@@ -167,7 +167,7 @@ pub(super) fn building_block(a: &Ask) -> Model {
 }
 
 /// A board of 64 fields with some of the pieces on it.
-pub(super) fn chess_set(a: &Ask) -> Model {
+pub(super) fn chess_set(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::WALNUT);
     let (pale, dark) = (stuff::BIRCH.surface(), of(Finish::Wood, 0x3a2a20));
     small(a, |mesh| {
@@ -209,8 +209,8 @@ pub(super) fn chess_set(a: &Ask) -> Model {
 }
 
 /// A stage with a roof and curtains over a low front.
-pub(super) fn puppet_theatre(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn puppet_theatre(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wall = a.main(Stuff(Finish::Paint, 0x3f6f9c));
     let cloth = a.second(Stuff(Finish::Velvet, 0xa8282c));

@@ -5,11 +5,11 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A utensil by its name; a spoon if it says nothing more.
-pub(super) fn utensil(a: &Ask) -> Model {
+pub(super) fn utensil(a: &Ask) -> BuiltModel {
     let wooden = a.says(&["wooden", "utensil"]);
     let usual = if wooden { Stuff(Finish::Wood, 0xb98a55) } else { Stuff(Finish::Metal, 0xaab0b5) };
     let steel = a.main(usual);

@@ -4,11 +4,11 @@
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
 /// A wheel with its axle across.
-fn wheel(m: &mut Model, b: Block) {
+fn wheel(m: &mut BuiltModel, b: Block) {
     let tyre = stuff::RUBBER.surface();
     let rim = stuff::STEEL.surface();
     m.solid(b);
@@ -26,8 +26,8 @@ fn wheel(m: &mut Model, b: Block) {
 }
 
 /// A car; a van, where it says so.
-pub(super) fn car(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn car(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let paint = a.main(Stuff(Finish::Paint, if a.says(&["school"]) { 0xe3b02f } else { 0x5b7f9c }));
     let glass = Stuff(Finish::Screen, 0x2b3844).surface();
     let dark = stuff::DARK_PLASTIC.surface();
@@ -70,8 +70,8 @@ pub(super) fn car(a: &Ask) -> Model {
 }
 
 /// Two wheels in a row, an engine between them, tank, saddle and handlebar.
-pub(super) fn motorcycle(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn motorcycle(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let paint = a.main(Stuff(Finish::Paint, 0x8c2f2b));
     let (dark, chrome) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
@@ -102,8 +102,8 @@ pub(super) fn motorcycle(a: &Ask) -> Model {
 }
 
 /// Two wheels in a frame of tubes, with saddle, pedals and handlebar.
-pub(super) fn bicycle(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn bicycle(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let paint = a.main(Stuff(Finish::Paint, 0x2f6f8f));
     let (dark, chrome) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
@@ -130,8 +130,8 @@ pub(super) fn bicycle(a: &Ask) -> Model {
 }
 
 /// A body with its counterweight behind, a seat under a guard, a mast and two forks.
-pub(super) fn forklift(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn forklift(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let paint = a.main(Stuff(Finish::Paint, 0xe0a020));
     let (dark, steel) = (stuff::DARK_PLASTIC.surface(), stuff::BLACK_STEEL.surface());
@@ -167,8 +167,8 @@ pub(super) fn forklift(a: &Ask) -> Model {
 }
 
 /// A lift with four posts and two runways, on which a car stands.
-pub(super) fn car_lift(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn car_lift(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let paint = a.main(Stuff(Finish::Paint, 0x2f5f9e));
     let steel = stuff::STEEL.surface();
@@ -199,8 +199,8 @@ pub(super) fn car_lift(a: &Ask) -> Model {
 }
 
 /// Two feet across each other, a mast, and an arm with a clamp that holds a bicycle.
-pub(super) fn repair_stand(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn repair_stand(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (steel, clamp) = (a.main(stuff::BLACK_STEEL), stuff::RED.surface());
     m.board(b.share(0.0..1.0, 0.0..0.03, 0.42..0.58), &steel);
@@ -213,8 +213,8 @@ pub(super) fn repair_stand(a: &Ask) -> Model {
     m
 }
 
-fn tire_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+fn tire_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let (steel, tyre) = (a.main(stuff::BLACK_STEEL), stuff::RUBBER.surface());
     for end in b.share(0.0..0.03, 0.0..1.0, 0.0..1.0).both_sides() {
@@ -232,8 +232,8 @@ fn tire_rack(a: &Ask) -> Model {
 }
 
 /// Tires lying on each other, or side by side on the boards of a rack.
-pub(super) fn tire_stack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn tire_stack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     if a.says(&["rack"]) {
         return tire_rack(a);

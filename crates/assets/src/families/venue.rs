@@ -5,12 +5,12 @@ use crate::ask::Ask;
 use crate::block::{Block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::{PI, TAU};
 
 /// A block of stone with a slab on it and a cloth over both, which hangs down in front and behind.
-pub(super) fn altar(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn altar(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::STONE);
     let linen = stuff::SHEET.surface();
@@ -33,8 +33,8 @@ pub(super) fn altar(a: &Ask) -> Model {
 }
 
 /// A cross of wood, on a wall; one that is deep stands on a foot.
-pub(super) fn cross(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cross(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::WALNUT);
     let stands = a.d > 0.15 * a.h;
@@ -50,8 +50,8 @@ pub(super) fn cross(a: &Ask) -> Model {
 }
 
 /// A padded seat on a column and a round foot, arms, a back that leans to a head rest, and a rest for the feet at +z.
-pub(super) fn barber_chair(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn barber_chair(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let pad = a.main(Stuff(Finish::Leather, 0x7a2f2b));
     let chrome = stuff::CHROME.surface();
@@ -73,7 +73,7 @@ pub(super) fn barber_chair(a: &Ask) -> Model {
 }
 
 /// Walls around a hollow and its floor; the solid is whole.
-fn trough(m: &mut Model, b: Block, s: &Surface) {
+fn trough(m: &mut BuiltModel, b: Block, s: &Surface) {
     m.solid(b);
     for wall in b.share(0.0..0.12, 0.0..1.0, 0.0..1.0).both_sides() {
         m.mesh.crisp(wall, s);
@@ -85,8 +85,8 @@ fn trough(m: &mut Model, b: Block, s: &Surface) {
 }
 
 /// A basin on a column at -z and before it the seat of who lies back to have the hair washed.
-pub(super) fn shampoo_station(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn shampoo_station(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let pad = a.main(Stuff(Finish::Leather, 0x2b2d31));
     let (dark, chrome) = (stuff::DARK_PLASTIC.surface(), stuff::CHROME.surface());
@@ -125,8 +125,8 @@ fn arch(b: Block, from: f64) -> Vec<(f64, f64)> {
 }
 
 /// A case with a round top, tubes of coloured light along its edge, records behind glass and a grille below.
-pub(super) fn jukebox(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn jukebox(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::WALNUT);
     let (warm, pink) = (Stuff(Finish::Glow, 0xf2a33c).surface(), Stuff(Finish::Glow, 0xd8457a).surface());
@@ -137,7 +137,7 @@ pub(super) fn jukebox(a: &Ask) -> Model {
     let hull = outline.iter().flat_map(|p| [corner(p, b.min.z), corner(p, b.max.z)]);
     m.solid_hull(hull.collect());
     let depth = |from: f64, to: f64| b.share(0.0..1.0, 0.0..1.0, from..to);
-    let layer = |m: &mut Model, inset: f64, low: f64, (from, to): (f64, f64), s: &Surface| {
+    let layer = |m: &mut BuiltModel, inset: f64, low: f64, (from, to): (f64, f64), s: &Surface| {
         let at = b.share(inset..1.0 - inset, low..1.0 - 0.6 * inset, from..to);
         m.mesh.extrude(2, &arch(at, 0.6), at.min.z..at.max.z, s);
     };
@@ -158,8 +158,8 @@ pub(super) fn jukebox(a: &Ask) -> Model {
 }
 
 /// Twenty sectors in two colours on a dark ground, and a red middle.
-pub(super) fn dartboard(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn dartboard(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let dark = a.main(stuff::DARK_PLASTIC);
     m.solid(b);
@@ -187,8 +187,8 @@ pub(super) fn dartboard(a: &Ask) -> Model {
 }
 
 /// A back with a base and a bar for a row of cues.
-pub(super) fn cue_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn cue_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::WALNUT);
     let (tip, butt) = (stuff::BIRCH.surface(), shade(&stuff::WALNUT.surface(), 0.5));
@@ -208,8 +208,8 @@ pub(super) fn cue_rack(a: &Ask) -> Model {
 }
 
 /// Steps between two sides, and magazines that lean on each of them with their covers to the front.
-pub(super) fn magazine_rack(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn magazine_rack(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::OAK);
@@ -240,8 +240,8 @@ pub(super) fn magazine_rack(a: &Ask) -> Model {
 }
 
 /// Sides, a back and boards, with boxes and bottles on each of them, the fronts in line.
-pub(super) fn medicine_shelf(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn medicine_shelf(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let mut dice = a.dice();
     let b = a.whole();
     let main = a.main(stuff::WHITE);
@@ -274,8 +274,8 @@ pub(super) fn medicine_shelf(a: &Ask) -> Model {
 }
 
 /// Decks over each other, each with a lit window and a handle.
-pub(super) fn deck_oven(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn deck_oven(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let steel = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();
@@ -301,8 +301,8 @@ pub(super) fn deck_oven(a: &Ask) -> Model {
 }
 
 /// A panel of foam that takes sound: squares of two depths in a frame of cloth.
-pub(super) fn acoustic_panel(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn acoustic_panel(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Fabric, 0x4a5560));
     m.solid(b);
@@ -319,8 +319,8 @@ pub(super) fn acoustic_panel(a: &Ask) -> Model {
 }
 
 /// A cabin with thick walls and a door with a window, behind which foam and a microphone are seen.
-pub(super) fn vocal_booth(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn vocal_booth(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(Stuff(Finish::Fabric, 0x50565d));
     let dark = stuff::BLACK_STEEL.surface();
@@ -348,8 +348,8 @@ pub(super) fn vocal_booth(a: &Ask) -> Model {
 }
 
 /// An electronic piano: a slab of keys on two legs with a bar between them, or the slab alone where it is low.
-pub(super) fn electronic_keyboard(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn electronic_keyboard(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::DARK_PLASTIC);
     let steel = stuff::BLACK_STEEL.surface();

@@ -5,10 +5,10 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::loft::oval;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A crown and a brim; a helmet has a shell with a visor.
-pub(super) fn hat(a: &Ask) -> Model {
+pub(super) fn hat(a: &Ask) -> BuiltModel {
     if a.says(&["helmet"]) {
         let shell = a.main(Stuff(Finish::Plastic, 0xd0452f));
         return headed(a, |mesh| {
@@ -63,7 +63,7 @@ pub(super) fn hat(a: &Ask) -> Model {
 }
 
 /// A shoe along its box, its toe to the front; boots have a shaft, slippers no heel, skates wheels.
-pub(super) fn shoe(a: &Ask) -> Model {
+pub(super) fn shoe(a: &Ask) -> BuiltModel {
     let (boot, slipper) = (a.says(&["boot"]), a.says(&["slipper", "sandal"]));
     let skate = a.says(&["skate", "roller"]);
     let usual = if boot || skate {
@@ -134,7 +134,7 @@ pub(super) fn shoe(a: &Ask) -> Model {
 }
 
 /// A palm, four fingers and a thumb, flat.
-pub(super) fn glove(a: &Ask) -> Model {
+pub(super) fn glove(a: &Ask) -> BuiltModel {
     let wool = a.main(Stuff(Finish::Fabric, 0x3f5f7f));
     long(a, |mesh| {
         mesh.rounded(block(-0.42..0.42, -0.14..0.14, -0.5..0.32), 0.13, 2, &wool);
@@ -152,7 +152,7 @@ pub(super) fn glove(a: &Ask) -> Model {
 }
 
 /// A stocking to hang, a sock: the leg, the heel and the foot, flat.
-pub(super) fn sock(a: &Ask) -> Model {
+pub(super) fn sock(a: &Ask) -> BuiltModel {
     let hung = a.h > a.d;
     let wool = a.main(if hung { Stuff(Finish::Fabric, 0xb9322c) } else { Stuff(Finish::Fabric, 0x5f7f8c) });
     let trim = if hung { stuff::SHEET.surface() } else { shade(&wool, 0.6) };
@@ -173,7 +173,7 @@ pub(super) fn sock(a: &Ask) -> Model {
 }
 
 /// A knot and two blades of cloth that widen to points.
-pub(super) fn tie(a: &Ask) -> Model {
+pub(super) fn tie(a: &Ask) -> BuiltModel {
     let silk = a.main(Stuff(Finish::Fabric, 0x2f4b7c));
     long(a, |mesh| {
         mesh.extrude(1, &[(0.7, -0.1), (0.7, 0.1), (-0.75, 0.3), (-1.0, 0.0), (-0.75, -0.3)], -0.02..0.03, &silk);
@@ -192,7 +192,7 @@ pub(super) fn tie(a: &Ask) -> Model {
 }
 
 /// A face: it looks to +z, with eyes that are open.
-pub(super) fn mask(a: &Ask) -> Model {
+pub(super) fn mask(a: &Ask) -> BuiltModel {
     let paint = a.main(Stuff(Finish::Wood, 0xa8632f));
     small(a, |mesh| {
         mesh.ball(block(-0.7..0.7, -1.0..1.0, -0.3..0.3), &paint);
@@ -218,7 +218,7 @@ pub(super) fn mask(a: &Ask) -> Model {
 }
 
 /// Shoulders, a bar and a hook.
-pub(super) fn hanger(a: &Ask) -> Model {
+pub(super) fn hanger(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xb98a55));
     small(a, |mesh| {
         for side in [-1.0, 1.0] {

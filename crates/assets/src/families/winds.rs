@@ -5,12 +5,12 @@ use crate::ask::Ask;
 use crate::block::block;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 use std::f64::consts::TAU;
 
 /// A flute, a clarinet, an oboe, a bassoon.
-pub(super) fn flute(a: &Ask) -> Model {
+pub(super) fn flute(a: &Ask) -> BuiltModel {
     let silver = stuff::CHROME.surface();
     let across = a.says(&["flute", "piccolo"]);
     let usual = if across {
@@ -68,7 +68,7 @@ fn keys(mesh: &mut Mesh, from: f64, to: f64, r: f64, s: &Surface) {
 }
 
 /// Brass: a trumpet, a trombone, a tuba, a French horn, an alpine horn of wood, a megaphone.
-pub(super) fn trumpet(a: &Ask) -> Model {
+pub(super) fn trumpet(a: &Ask) -> BuiltModel {
     let says = |word: &str| a.says(&[word]);
     let usual = if says("alpine") || says("alphorn") {
         Stuff(Finish::Wood, 0xb98a55)
@@ -219,7 +219,7 @@ fn french(mesh: &mut Mesh, brass: &Surface, silver: &Surface) {
 }
 
 /// A tube that bends below to a bell that looks up, and above to the mouth.
-pub(super) fn saxophone(a: &Ask) -> Model {
+pub(super) fn saxophone(a: &Ask) -> BuiltModel {
     let brass = a.main(Stuff(Finish::Brass, 0xd0a640));
     let dark = stuff::DARK_PLASTIC.surface();
     long(a, |mesh| {
@@ -254,7 +254,7 @@ pub(super) fn saxophone(a: &Ask) -> Model {
 }
 
 /// A box with a turntable, and the horn over it.
-pub(super) fn gramophone(a: &Ask) -> Model {
+pub(super) fn gramophone(a: &Ask) -> BuiltModel {
     let wood = a.main(stuff::WALNUT);
     let brass = a.second(Stuff(Finish::Brass, 0xc79b45));
     let dark = stuff::DARK_PLASTIC.surface();

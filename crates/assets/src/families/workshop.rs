@@ -2,11 +2,11 @@
 
 use crate::ask::Ask;
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::model::Model;
+use crate::model::BuiltModel;
 
 /// A table saw: cabinet, table of cast iron, blade with its guard, fence; with `band`, a band saw.
-pub(super) fn saw(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn saw(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let body = a.main(Stuff(Finish::Paint, 0x3f6f5e));
     let (iron, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
@@ -39,8 +39,8 @@ pub(super) fn saw(a: &Ask) -> Model {
 }
 
 /// A wheel in its basin on a low frame.
-pub(super) fn potters_wheel(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn potters_wheel(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let frame = a.main(Stuff(Finish::Paint, 0x5b6b7a));
     let tray = stuff::GRAY_PLASTIC.surface();
@@ -60,8 +60,8 @@ pub(super) fn potters_wheel(a: &Ask) -> Model {
 }
 
 /// A padded board, pointed at one end, on crossed legs.
-pub(super) fn ironing_board(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn ironing_board(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let cloth = a.main(Stuff(Finish::Fabric, 0x8fa9c2));
     let steel = stuff::STEEL.surface();
@@ -82,8 +82,8 @@ pub(super) fn ironing_board(a: &Ask) -> Model {
 }
 
 /// A drill press: a foot, a column, a table on it, and the head with its chuck above the table.
-pub(super) fn drill_press(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn drill_press(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let body = a.main(Stuff(Finish::Paint, 0x3f6f5e));
     let (iron, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
@@ -101,8 +101,8 @@ pub(super) fn drill_press(a: &Ask) -> Model {
 }
 
 /// A lathe: two pedestals, a bed, the headstock with its chuck at the left, the tailstock at the right, a guard behind.
-pub(super) fn lathe(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn lathe(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let body = a.main(Stuff(Finish::Paint, 0x4f6b82));
     let (iron, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());

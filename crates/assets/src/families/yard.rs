@@ -6,11 +6,11 @@ use crate::block::{block, pieces};
 use crate::loft::oval;
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
-use crate::model::Model;
+use crate::model::BuiltModel;
 use std::f64::consts::TAU;
 
 /// A tent with a ridge, a teepee of poles, an igloo.
-pub(super) fn tent(a: &Ask) -> Model {
+pub(super) fn tent(a: &Ask) -> BuiltModel {
     if a.says(&["igloo"]) {
         let snow = a.main(Stuff(Finish::Plaster, 0xdbe6ec));
         return small(a, |mesh| {
@@ -76,7 +76,7 @@ fn opening(mesh: &mut Mesh, corners: [scenelang_layout::Vec3; 3], s: &Surface) {
 }
 
 /// A basin, a column and a smaller bowl, with water in both.
-pub(super) fn fountain(a: &Ask) -> Model {
+pub(super) fn fountain(a: &Ask) -> BuiltModel {
     let stone = a.main(Stuff(Finish::Stone, 0xb9b2a4));
     let water = of(Finish::Water, 0x6fb7cf);
     small(a, |mesh| {
@@ -119,7 +119,7 @@ pub(super) fn fountain(a: &Ask) -> Model {
 }
 
 /// A ring of stones with logs and a flame.
-pub(super) fn fire_pit(a: &Ask) -> Model {
+pub(super) fn fire_pit(a: &Ask) -> BuiltModel {
     let stone = a.main(Stuff(Finish::Stone, 0x7f7a72));
     let bark = of(Finish::Wood, 0x5a3d28);
     small(a, |mesh| {
@@ -149,8 +149,8 @@ pub(super) fn fire_pit(a: &Ask) -> Model {
 }
 
 /// Two frames like an A, a beam, and seats on ropes.
-pub(super) fn swing(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn swing(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::OAK);
     let seat = a.second(Stuff(Finish::Plastic, 0xc8392f));
@@ -189,7 +189,7 @@ pub(super) fn swing(a: &Ask) -> Model {
 }
 
 /// A trunk with its rings, sawn at both ends; a pile of logs; a piece of driftwood.
-pub(super) fn log(a: &Ask) -> Model {
+pub(super) fn log(a: &Ask) -> BuiltModel {
     let bark = a.main(Stuff(Finish::Wood, 0x6b4a30));
     let cut = of(Finish::Wood, 0xd8b27a);
     let single = !a.says(&["pile", "stack", "firewood"]);
@@ -224,7 +224,7 @@ pub(super) fn log(a: &Ask) -> Model {
 }
 
 /// A rounded stone, or a few of them.
-pub(super) fn stone(a: &Ask) -> Model {
+pub(super) fn stone(a: &Ask) -> BuiltModel {
     let gray = a.main(Stuff(Finish::Stone, 0x8a867e));
     let mut dice = a.dice();
     small(a, |mesh| {
@@ -245,7 +245,7 @@ pub(super) fn stone(a: &Ask) -> Model {
 }
 
 /// Three balls of snow with a hat, a carrot and arms.
-pub(super) fn snowman(a: &Ask) -> Model {
+pub(super) fn snowman(a: &Ask) -> BuiltModel {
     let snow = a.main(Stuff(Finish::Plaster, 0xe3ecf0));
     let coal = stuff::DARK_PLASTIC.surface();
     small(a, |mesh| {
@@ -273,7 +273,7 @@ pub(super) fn snowman(a: &Ask) -> Model {
 }
 
 /// A small man with a beard and a pointed hat.
-pub(super) fn garden_gnome(a: &Ask) -> Model {
+pub(super) fn garden_gnome(a: &Ask) -> BuiltModel {
     let coat = a.main(Stuff(Finish::Paint, 0x2f5fa0));
     let (red, skin) = (stuff::RED.surface(), of(Finish::Ceramic, 0xe0a988));
     small(a, |mesh| {
@@ -311,7 +311,7 @@ pub(super) fn garden_gnome(a: &Ask) -> Model {
 }
 
 /// A shirt and a hat on a cross of wood.
-pub(super) fn scarecrow(a: &Ask) -> Model {
+pub(super) fn scarecrow(a: &Ask) -> BuiltModel {
     let shirt = a.main(Stuff(Finish::Fabric, 0xa8473a));
     let (wood, straw) = (stuff::OAK.surface(), of(Finish::Wicker, 0xd8b45f));
     small(a, |mesh| {
@@ -349,7 +349,7 @@ pub(super) fn scarecrow(a: &Ask) -> Model {
 }
 
 /// A house under a gable, with a round hole and a perch for birds, an arch for dogs, a door and a window for children.
-pub(super) fn birdhouse(a: &Ask) -> Model {
+pub(super) fn birdhouse(a: &Ask) -> BuiltModel {
     let children = a.says(&["playhouse", "play"]);
     let dog = a.says(&["kennel", "dog", "doghouse"]);
     let wall = a.main(Stuff(Finish::Wood, 0xc08a4f));
@@ -379,7 +379,7 @@ pub(super) fn birdhouse(a: &Ask) -> Model {
 }
 
 /// Boxes on each other under a flat roof, with a slot for bees.
-pub(super) fn beehive(a: &Ask) -> Model {
+pub(super) fn beehive(a: &Ask) -> BuiltModel {
     let wood = a.main(Stuff(Finish::Wood, 0xd9b46a));
     small(a, |mesh| {
         for x in [-0.4..-0.3, 0.3..0.4] {
@@ -408,7 +408,7 @@ pub(super) fn beehive(a: &Ask) -> Model {
 }
 
 /// A house of glass in a frame.
-pub(super) fn greenhouse(a: &Ask) -> Model {
+pub(super) fn greenhouse(a: &Ask) -> BuiltModel {
     let frame = a.main(Stuff(Finish::Metal, 0x7d8a80));
     let glass = stuff::GLASS.surface();
     headed(a, |mesh| {
@@ -435,7 +435,7 @@ pub(super) fn greenhouse(a: &Ask) -> Model {
 }
 
 /// A round basin of cloth or air: water in one, balls in the other.
-pub(super) fn ball_pit(a: &Ask) -> Model {
+pub(super) fn ball_pit(a: &Ask) -> BuiltModel {
     let balls = a.says(&["ball"]);
     let wall = a.main(if balls { Stuff(Finish::Fabric, 0x7f93a8) } else { Stuff(Finish::Plastic, 0x3f8fc0) });
     small(a, |mesh| {
@@ -467,7 +467,7 @@ pub(super) fn ball_pit(a: &Ask) -> Model {
 }
 
 /// A platform and a roof about a pillar, and horses on poles.
-pub(super) fn carousel(a: &Ask) -> Model {
+pub(super) fn carousel(a: &Ask) -> BuiltModel {
     let red = a.main(Stuff(Finish::Paint, 0xb5332c));
     let (gold, cream) = (stuff::BRASS.surface(), of(Finish::Paint, 0xe6d9b8));
     small(a, |mesh| {
@@ -515,8 +515,8 @@ pub(super) fn carousel(a: &Ask) -> Model {
 }
 
 /// A mast on legs with an arm and a hook.
-pub(super) fn crane(a: &Ask) -> Model {
-    let mut m = Model::default();
+pub(super) fn crane(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
     let b = a.whole();
     let paint = a.main(Stuff(Finish::Paint, 0xe0a020));
     let steel = stuff::BLACK_STEEL.surface();
@@ -547,7 +547,7 @@ pub(super) fn crane(a: &Ask) -> Model {
 }
 
 /// A tray over one wheel, with two handles and two legs; the wheel is in front.
-pub(super) fn wheelbarrow(a: &Ask) -> Model {
+pub(super) fn wheelbarrow(a: &Ask) -> BuiltModel {
     let paint = a.main(Stuff(Finish::Paint, 0x3f7a4c));
     let wood = stuff::OAK.surface();
     headed(a, |mesh| {

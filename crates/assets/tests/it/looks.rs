@@ -5,7 +5,7 @@ use crate::geometry::{bounds, corners, triangles};
 use crate::nouns::{SHAPES, families, sizes, table, usual};
 use scenelang_assets::textures::Texture;
 use scenelang_assets::{
-    Asset, Group, Request, covering, difference, furnish, material_names, on_floor, stand_out, toned,
+    Asset, AssetRequest, MeshGroup, covering, difference, furnish, material_names, on_floor, stand_out, toned,
 };
 use scenelang_layout::Vec3;
 
@@ -25,7 +25,8 @@ fn all() -> impl Iterator<Item = (String, Asset)> {
             let noun = noun.clone();
             let size = usual.component_mul(&Vec3::from(factor));
             FEATURES.into_iter().map(move |features| {
-                let request = Request { name: "it", category: &noun, features, size: Some(size), ..Request::default() };
+                let request =
+                    AssetRequest { name: "it", category: &noun, features, size: Some(size), ..AssetRequest::default() };
                 (format!("{noun} ({features}) {:.2} × {:.2} × {:.2}", size.x, size.y, size.z), furnish(&request))
             })
         })
@@ -41,7 +42,7 @@ fn wide(p: [f32; 3]) -> Vec3 {
 }
 
 /// The least and the greatest factor from lengths on a triangle to lengths on its material.
-fn density(group: &Group, t: &[u32]) -> [f64; 2] {
+fn density(group: &MeshGroup, t: &[u32]) -> [f64; 2] {
     let [a, b, c] = [t[0], t[1], t[2]].map(|i| wide(group.positions[i as usize]));
     let [p, q, r] = [t[0], t[1], t[2]].map(|i| group.uvs[i as usize].map(f64::from));
     // In axes of the triangle's own plane.
@@ -255,7 +256,7 @@ fn textures_have_no_seam_and_keep_the_colour() {
 #[test]
 fn grain_runs_along_a_board() {
     let size = Some(Vec3::new(2.0, 0.75, 0.8));
-    let table = furnish(&Request { category: "table", material: "oak", size, ..Request::default() });
+    let table = furnish(&AssetRequest { category: "table", material: "oak", size, ..AssetRequest::default() });
     let wood = table.mesh.groups.iter().find(|g| g.surface.name.starts_with("wood-")).unwrap();
     // Of the top the second axis of the material is the long side, of a leg the upright.
     let along = |keep: &dyn Fn(Vec3) -> bool, axis: usize| {
@@ -274,7 +275,7 @@ fn grain_runs_along_a_board() {
 fn lamps_give_light_from_where_they_shine() {
     for noun in ["floor lamp", "table lamp", "desk lamp", "pendant", "ceiling light", "chandelier", "sconce"] {
         let size = sizes()[noun];
-        let asset = furnish(&Request { category: noun, size: Some(size), ..Request::default() });
+        let asset = furnish(&AssetRequest { category: noun, size: Some(size), ..AssetRequest::default() });
         let [light] = &asset.lights[..] else { panic!("{noun}: {:?}", asset.lights) };
         let inside = (0..3).all(|i| {
             let (lo, hi) = asset.mesh.bounds().unwrap();
@@ -282,7 +283,7 @@ fn lamps_give_light_from_where_they_shine() {
         });
         assert!(inside && light.lumens > 100.0 && light.color[0] > 0.5, "{noun}: {light:?}");
     }
-    assert!(furnish(&Request { category: "monitor", ..Request::default() }).lights.is_empty());
+    assert!(furnish(&AssetRequest { category: "monitor", ..AssetRequest::default() }).lights.is_empty());
 }
 
 /// Materials that floors are made of.
@@ -312,7 +313,7 @@ fn things_of_no_particular_colour_stand_out_against_every_floor() {
     let mut bad = Vec::new();
     for family in families() {
         let (noun, size) = &usual()[family];
-        let asset = furnish(&Request { name: "it", category: noun, size: Some(*size), ..Request::default() });
+        let asset = furnish(&AssetRequest { name: "it", category: noun, size: Some(*size), ..AssetRequest::default() });
         for material in FLOORS {
             assert!(material_names().any(|m| m == material), "{material}");
             let floor = on_floor(&toned(&covering("", material, "", "oak"))).color;
@@ -320,7 +321,7 @@ fn things_of_no_particular_colour_stand_out_against_every_floor() {
             stand_out(&mut mesh, floor);
             // More than half of what is seen differs; glass and mirrors show other things.
             let (mut clear, mut all) = (0.0, 0.0);
-            let shows_itself = |g: &&Group| g.surface.opacity >= 1.0 && !g.surface.name.starts_with("mirror-");
+            let shows_itself = |g: &&MeshGroup| g.surface.opacity >= 1.0 && !g.surface.name.starts_with("mirror-");
             for group in mesh.groups.iter().filter(shows_itself) {
                 let one = scenelang_assets::Mesh::from(vec![group.clone()]);
                 let area: f64 = triangles(&one).map(|[a, b, c]| (b - a).cross(&(c - a)).norm()).sum();

@@ -1,6 +1,6 @@
 //! Nouns: what they are taken for, and that each noun with a usual size has a family.
 
-use scenelang_assets::{Request, categories, family_of, furnish, stand_in};
+use scenelang_assets::{AssetRequest, categories, family_of, furnish, stand_in};
 use scenelang_layout::Vec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -336,7 +336,8 @@ fn categories_and_names_help_each_other() {
 #[test]
 fn lamps_are_told_apart_by_words_and_size() {
     let top = |category, features, size: [f64; 3]| {
-        let r = Request { name: "lamp", category, features, size: Some(Vec3::from(size)), ..Request::default() };
+        let r =
+            AssetRequest { name: "lamp", category, features, size: Some(Vec3::from(size)), ..AssetRequest::default() };
         furnish(&r).mesh
     };
     let floor = top("floor lamp", "", [0.4, 1.6, 0.4]);

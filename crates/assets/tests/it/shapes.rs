@@ -3,7 +3,7 @@
 use crate::geometry::{bounds, corners, inside_hull, mass, planes, triangles, volume};
 use crate::nouns::{Noun, SHAPES, families, sizes, table, usual};
 use nalgebra::Matrix3;
-use scenelang_assets::{Asset, Request, furnish};
+use scenelang_assets::{Asset, AssetRequest, furnish};
 use scenelang_layout::{Convex, Joint, Moving, Part, Vec3};
 use std::collections::BTreeMap;
 
@@ -69,7 +69,8 @@ fn every_family_fills_its_box_at_every_size() {
     let mut bad = Vec::new();
     for noun in families().chain(SHAPES.iter().copied()).chain(["whatever"]) {
         bad.extend(grid().find_map(|size| {
-            let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
+            let asset =
+                furnish(&AssetRequest { name: "it", category: noun, size: Some(size), ..AssetRequest::default() });
             check(&asset, size).err().map(|e| format!("{noun} {size:?}: {e}"))
         }));
     }
@@ -81,7 +82,7 @@ fn every_family_fills_its_box_at_every_size() {
 fn every_noun_of_the_language_fills_its_box() {
     let mut bad = Vec::new();
     for (noun, Noun { size, .. }) in table() {
-        let asset = furnish(&Request { name: "it", category: noun, size: Some(*size), ..Request::default() });
+        let asset = furnish(&AssetRequest { name: "it", category: noun, size: Some(*size), ..AssetRequest::default() });
         bad.extend(check(&asset, *size).err().map(|e| format!("{noun}: {e}")));
     }
     report(&bad);
@@ -131,8 +132,13 @@ fn what_opens_does_not_meet_its_own_body() {
         let usual = sizes().get(*noun).copied().unwrap_or(Vec3::new(0.9, 1.0, 0.5));
         let usual = if *features == "closed" { Vec3::new(0.34, 0.02, 0.24) } else { usual };
         for size in [usual, usual * 0.7, usual.component_mul(&Vec3::new(1.6, 1.2, 1.3))] {
-            let asset =
-                furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
+            let asset = furnish(&AssetRequest {
+                name: "it",
+                category: noun,
+                features,
+                size: Some(size),
+                ..AssetRequest::default()
+            });
             bad.extend(check(&asset, size).err().map(|e| format!("{noun} {size:?}: {e}")));
             if size == usual && asset.joints.len() < *least {
                 bad.push(format!("{noun} ({features}): {} parts open, not {least}", asset.joints.len()));
@@ -165,7 +171,7 @@ fn absurd_sizes_do_no_harm() {
     for noun in families().chain(SHAPES.iter().copied()).chain(["whatever"]) {
         for size in [[1e-6; 3], [1e-3; 3], [1e5; 3], [1e5, 1e-5, 1.0], [1e-5, 1e5, 1e-5], [1.0, 1e-5, 1e5]] {
             let size = Some(Vec3::from(size));
-            let asset = furnish(&Request { name: "it", category: noun, size, ..Request::default() });
+            let asset = furnish(&AssetRequest { name: "it", category: noun, size, ..AssetRequest::default() });
             assert!(!asset.parts.is_empty(), "{noun} {size:?}");
             let numbers = asset.mesh.groups.iter().flat_map(|g| g.positions.iter().chain(&g.normals)).flatten();
             assert!(numbers.into_iter().all(|x| x.is_finite()), "{noun} {size:?}");
@@ -265,8 +271,13 @@ fn variants_fill_their_boxes_too() {
     for (noun, features, size) in VARIANTS {
         bad.extend([1.0, 0.37, 2.9].into_iter().find_map(|scale| {
             let size = Vec3::from(*size) * scale;
-            let asset =
-                furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
+            let asset = furnish(&AssetRequest {
+                name: "it",
+                category: noun,
+                features,
+                size: Some(size),
+                ..AssetRequest::default()
+            });
             check(&asset, size).err().map(|e| format!("{noun} ({features}) {size:?}: {e}"))
         }));
     }
@@ -290,7 +301,13 @@ fn things_stand_on_their_own() {
     let sized = sizes.iter().map(|(n, s)| (n.as_str(), "", *s));
     let more = more().filter(|(noun, _)| !hangs(noun)).map(|(noun, size)| (noun, "", size));
     for (noun, features, size) in named.chain(sized).chain(more).filter(|(noun, ..)| !HUNG.contains(noun)) {
-        let asset = furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
+        let asset = furnish(&AssetRequest {
+            name: "it",
+            category: noun,
+            features,
+            size: Some(size),
+            ..AssetRequest::default()
+        });
         let feet = contacts(&asset);
         let margin = 0.001_f64.max(0.03 * size.x.min(size.z));
         let masses: Vec<_> = asset.parts.iter().map(mass).collect();
@@ -333,7 +350,7 @@ fn more() -> impl Iterator<Item = (&'static str, Vec3)> {
 fn meshes_stay_near_their_solids() {
     let mut bad = Vec::new();
     for (noun, size) in sizes().iter().map(|(noun, size)| (noun.as_str(), *size)).chain(more()) {
-        let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
+        let asset = furnish(&AssetRequest { name: "it", category: noun, size: Some(size), ..AssetRequest::default() });
         let solids: Vec<Solid> = asset
             .parts
             .iter()
@@ -378,7 +395,7 @@ fn supports_are_level() {
         "stool",
     ] {
         let size = sizes()[noun];
-        let asset = furnish(&Request { name: "it", category: noun, size: Some(size), ..Request::default() });
+        let asset = furnish(&AssetRequest { name: "it", category: noun, size: Some(size), ..AssetRequest::default() });
         let height = asset.surface.unwrap_or(size.y);
         let area: f64 = asset
             .parts
@@ -409,7 +426,13 @@ fn chairs_go_under_tables() {
         ("student desk", ""),
     ] {
         let size = sizes()[noun];
-        let asset = furnish(&Request { name: "it", category: noun, features, size: Some(size), ..Request::default() });
+        let asset = furnish(&AssetRequest {
+            name: "it",
+            category: noun,
+            features,
+            size: Some(size),
+            ..AssetRequest::default()
+        });
         // A person in front, 0.45 wide, knees 0.25 under the top; a desk with drawers seats them left of the middle.
         let x = if noun == "desk" { -0.15 } else { 0.0 };
         let (lo, hi) = (Vec3::new(x - 0.22, 0.05, size.z / 2.0 - 0.25), Vec3::new(x + 0.22, 0.64, size.z / 2.0));
@@ -424,19 +447,24 @@ fn chairs_go_under_tables() {
 #[test]
 fn the_same_request_gives_the_same_asset_and_names_vary_it() {
     let make = |name| {
-        let r = Request { name, category: "bookshelf", size: Some(Vec3::new(1.0, 2.0, 0.3)), ..Request::default() };
+        let r = AssetRequest {
+            name,
+            category: "bookshelf",
+            size: Some(Vec3::new(1.0, 2.0, 0.3)),
+            ..AssetRequest::default()
+        };
         furnish(&r).mesh
     };
     assert_eq!(make("a"), make("a"));
     assert_ne!(make("a"), make("b"));
-    let chair = |name| furnish(&Request { name, category: "chair", ..Request::default() }).mesh;
+    let chair = |name| furnish(&AssetRequest { name, category: "chair", ..AssetRequest::default() }).mesh;
     assert_eq!(chair("chair[0]"), chair("chair[1]"), "chairs of a set are alike");
 }
 
 #[test]
 fn colours_and_materials_are_as_asked() {
     let share = |category, color, material, want: [f32; 3]| {
-        let asset = furnish(&Request { name: "it", category, color, material, ..Request::default() });
+        let asset = furnish(&AssetRequest { name: "it", category, color, material, ..AssetRequest::default() });
         let mut area: BTreeMap<bool, f64> = BTreeMap::new();
         for g in &asset.mesh.groups {
             let hit = g.surface.color.iter().zip(want).all(|(a, b)| (a - b).abs() < 0.01);
@@ -453,17 +481,21 @@ fn colours_and_materials_are_as_asked() {
         assert!(share(noun, "#2a6f97", "", hex(0x2a6f97)) > 0.05, "{noun}");
     }
     assert!(share("table", "", "walnut", hex(0x74503a)) > 0.5);
-    let glass = furnish(&Request { category: "table", material: "glass", ..Request::default() });
+    let glass = furnish(&AssetRequest { category: "table", material: "glass", ..AssetRequest::default() });
     assert!(glass.mesh.groups[0].surface.opacity < 0.5);
-    let lamp = furnish(&Request { category: "floor lamp", size: Some(Vec3::new(0.4, 1.6, 0.4)), ..Request::default() });
+    let lamp = furnish(&AssetRequest {
+        category: "floor lamp",
+        size: Some(Vec3::new(0.4, 1.6, 0.4)),
+        ..AssetRequest::default()
+    });
     assert!(lamp.mesh.groups.iter().any(|g| g.surface.emissive.is_some()));
 }
 
 #[test]
 fn the_unknown_is_a_labelled_box() {
-    let asset = furnish(&Request { name: "thing", category: "flux capacitor", ..Request::default() });
+    let asset = furnish(&AssetRequest { name: "thing", category: "flux capacitor", ..AssetRequest::default() });
     assert_eq!((asset.family, asset.known, asset.label.as_str()), ("unknown", false, "flux capacitor"));
     assert_eq!((asset.size, asset.parts.len()), (Vec3::repeat(0.5), 1));
-    let nameless = furnish(&Request { size: Some(Vec3::new(f64::NAN, 1.0, 1.0)), ..Request::default() });
+    let nameless = furnish(&AssetRequest { size: Some(Vec3::new(f64::NAN, 1.0, 1.0)), ..AssetRequest::default() });
     assert_eq!((nameless.label.as_str(), nameless.size), ("object", Vec3::repeat(0.5)));
 }

@@ -13,14 +13,14 @@ const REPOSITORY: &str = ".git";
 
 /// Where a file belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct FilePlace {
     /// The folder that it may not lead out of.
     pub root: PathBuf,
     /// Where its settings may be, nearest first; whether they are there or not.
     pub settings: Vec<PathBuf>,
 }
 
-impl Place {
+impl FilePlace {
     /// The place of a file or folder; `opened`: folders that the user has opened or named.
     pub(super) fn of(path: &Path, opened: &[PathBuf]) -> Self {
         let start = if path.is_dir() { path } else { path.parent().unwrap_or(path) };

@@ -7,12 +7,12 @@
 mod parts;
 mod target;
 
-use parts::Part;
+use parts::PartialFile;
 pub use parts::end;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use target::Target;
+use target::WriteTarget;
 
 /// Writes `bytes` to `path`; on any failure the old file, if there was one, is untouched.
 ///
@@ -60,8 +60,8 @@ fn write(files: &[(PathBuf, &[u8])], private: bool) -> io::Result<()> {
 
 /// A file that is ready to replace another, or the stream that is to be written to.
 enum Ready<'a> {
-    Part(Part),
-    Plain(Target, &'a [u8]),
+    Part(PartialFile),
+    Plain(WriteTarget, &'a [u8]),
 }
 
 fn tell(path: &Path, e: &io::Error) -> io::Error {
@@ -76,13 +76,13 @@ fn plain(e: &io::Error) -> String {
 
 fn prepare<'a>(path: &Path, bytes: &'a [u8], private: bool) -> io::Result<Ready<'a>> {
     let (path, old) = match target::of(path)? {
-        Target::File { path, old } => (path, old),
+        WriteTarget::File { path, old } => (path, old),
         stream => return Ok(Ready::Plain(stream, bytes)),
     };
     let folder = folder_of(&path);
     std::fs::create_dir_all(folder)?;
     parts::sweep(folder);
-    let mut part = Part::new(folder, &path, private || old.is_some())?;
+    let mut part = PartialFile::new(folder, &path, private || old.is_some())?;
     part.write(bytes)?;
     if let Some(old) = &old {
         target::keep(part.file(), old)?;
@@ -93,7 +93,7 @@ fn prepare<'a>(path: &Path, bytes: &'a [u8], private: bool) -> io::Result<Ready<
     Ok(Ready::Part(part))
 }
 
-impl Target {
+impl WriteTarget {
     fn write(&self, bytes: &[u8]) -> io::Result<()> {
         match self {
             Self::Stdout => io::stdout().write_all(bytes).and_then(|()| io::stdout().flush()),
@@ -149,7 +149,7 @@ pub fn is_same(a: &Path, b: &Path) -> bool {
 
 /// Whether a path leads to something that is no file and no folder: a pipe, a device, a stream of this process.
 pub fn is_stream(path: &Path) -> bool {
-    matches!(target::of(path), Ok(Target::Stdout | Target::Stderr | Target::Plain(_)))
+    matches!(target::of(path), Ok(WriteTarget::Stdout | WriteTarget::Stderr | WriteTarget::Plain(_)))
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ pub fn end() -> Vec<PathBuf> {
 }
 
 /// A file under a temporary name. Dropped, it is gone.
-pub(super) struct Part {
+pub(super) struct PartialFile {
     /// Open until it is complete.
     file: Option<File>,
     temporary: Option<TempPath>,
@@ -67,7 +67,7 @@ pub(super) struct Part {
     path: PathBuf,
 }
 
-impl Part {
+impl PartialFile {
     /// An empty file in `folder`. `private`: nobody else may read it, unless it gets another mode later.
     pub(super) fn new(folder: &Path, path: &Path, private: bool) -> io::Result<Self> {
         let mut builder = tempfile::Builder::new();
@@ -104,7 +104,7 @@ impl Part {
     }
 }
 
-impl Drop for Part {
+impl Drop for PartialFile {
     fn drop(&mut self) {
         if let Some(temporary) = self.temporary.take() {
             let mut writing = writing();

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Where bytes go.
 #[derive(Debug)]
-pub(super) enum Target {
+pub(super) enum WriteTarget {
     /// Standard output: a second handle would write over what was printed.
     Stdout,
     /// Standard error.
@@ -22,27 +22,27 @@ pub(super) enum Target {
 ///
 /// # Errors
 /// Why nothing can be written there.
-pub(super) fn of(path: &Path) -> io::Result<Target> {
+pub(super) fn of(path: &Path) -> io::Result<WriteTarget> {
     if cfg!(unix) {
         let is = |names: [&str; 3]| names.iter().any(|name| path == Path::new(name));
         if is(["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"]) {
-            return Ok(Target::Stdout);
+            return Ok(WriteTarget::Stdout);
         }
         if is(["/dev/stderr", "/dev/fd/2", "/proc/self/fd/2"]) {
-            return Ok(Target::Stderr);
+            return Ok(WriteTarget::Stderr);
         }
     }
     let refuse = |kind: io::ErrorKind, why: String| Err(io::Error::new(kind, why));
     match fs::metadata(path) {
         Ok(data) if data.is_dir() => refuse(io::ErrorKind::IsADirectory, "it is a folder".to_owned()),
-        Ok(data) if !data.is_file() || is_handle(path) => Ok(Target::Plain(path.to_path_buf())),
+        Ok(data) if !data.is_file() || is_handle(path) => Ok(WriteTarget::Plain(path.to_path_buf())),
         Ok(data) => {
             let real = if is_link(path) { path.canonicalize()? } else { path.to_path_buf() };
             if is_read_only(&real, &data) {
                 let say = "it is read-only; make it writable, or name another file".to_owned();
                 return refuse(io::ErrorKind::PermissionDenied, say);
             }
-            Ok(Target::File { path: real, old: Some(data) })
+            Ok(WriteTarget::File { path: real, old: Some(data) })
         }
         Err(e) if e.kind() == io::ErrorKind::NotFound => match fs::read_link(path) {
             // Where the link leads was not decided by whoever runs this, and there is no file that could be compared.
@@ -53,7 +53,7 @@ pub(super) fn of(path: &Path) -> io::Result<Target> {
                 );
                 refuse(io::ErrorKind::NotFound, say)
             }
-            Err(_) => Ok(Target::File { path: path.to_path_buf(), old: None }),
+            Err(_) => Ok(WriteTarget::File { path: path.to_path_buf(), old: None }),
         },
         Err(e) => Err(e),
     }

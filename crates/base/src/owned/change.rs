@@ -36,7 +36,7 @@ pub struct Record {
 
 /// A step, which happens as a whole or not at all.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Step<'a> {
+pub enum ChangeStep<'a> {
     /// A file is written.
     Write(PathBuf, Cow<'a, [u8]>),
     /// A file is removed, and the folders that are empty without it.
@@ -49,7 +49,7 @@ pub struct Steps<'a> {
     /// The folder that is changed.
     folder: PathBuf,
     /// All of them.
-    pub steps: Vec<Step<'a>>,
+    pub steps: Vec<ChangeStep<'a>>,
     /// Files that are written: their bytes are other ones than before.
     pub written: Vec<PathBuf>,
     /// Files that are removed.
@@ -81,7 +81,7 @@ impl<'b> Change<'_, 'b> {
             }
             if !same {
                 out.written.push(path.clone());
-                set.push(Step::Write(path, Cow::Borrowed(*bytes)));
+                set.push(ChangeStep::Write(path, Cow::Borrowed(*bytes)));
             }
         }
         let gone = self.gone(folder, &list, &mut out)?;
@@ -95,7 +95,7 @@ impl<'b> Change<'_, 'b> {
         let during = list.text();
         let is_new = !out.steps.is_empty();
         out.steps.extend(set);
-        out.steps.extend(out.removed.iter().cloned().map(Step::Remove));
+        out.steps.extend(out.removed.iter().cloned().map(ChangeStep::Remove));
         for (key, sum) in sums {
             list.0.insert(key, BTreeSet::from([sum]));
         }
@@ -109,7 +109,7 @@ impl<'b> Change<'_, 'b> {
         if let Some(record) = self.record {
             let there = if is_new { record.during.clone() } else { read(folder, &record.name).into_bytes() };
             if there != record.after {
-                out.steps.push(Step::Write(folder.join(&record.name), Cow::Owned(record.after.clone())));
+                out.steps.push(ChangeStep::Write(folder.join(&record.name), Cow::Owned(record.after.clone())));
             }
         }
         Ok(out)
@@ -146,7 +146,7 @@ fn read(folder: &Path, name: &Path) -> String {
 impl Steps<'_> {
     fn write(&mut self, path: PathBuf, before: &str, bytes: Vec<u8>) {
         if before.as_bytes() != bytes {
-            self.steps.push(Step::Write(path, Cow::Owned(bytes)));
+            self.steps.push(ChangeStep::Write(path, Cow::Owned(bytes)));
         }
     }
 
@@ -167,13 +167,13 @@ impl Steps<'_> {
         for step in self.steps.iter().take(steps) {
             match step {
                 // Of a file that is written twice, the first text has to be there while the others are written.
-                Step::Write(path, bytes) => {
+                ChangeStep::Write(path, bytes) => {
                     if set.iter().any(|(other, _)| other == path) {
                         write_set(&std::mem::take(&mut set))?;
                     }
                     set.push((path.clone(), bytes));
                 }
-                Step::Remove(path) => {
+                ChangeStep::Remove(path) => {
                     write_set(&std::mem::take(&mut set))?;
                     self.remove(path)?;
                 }

@@ -1,6 +1,6 @@
 //! Numbers in the binary chunk. Nothing is read, and no memory is taken, before all of it is known to be there.
 
-use super::document::{Accessor, Document};
+use super::document::{Accessor, GlbDocument};
 use crate::faults::{Fault, broken};
 use scenelang_layout::Vec3;
 
@@ -11,7 +11,7 @@ const FLOAT: u32 = 5126;
 
 /// The document with its numbers.
 pub(super) struct Data<'d> {
-    pub document: &'d Document,
+    pub document: &'d GlbDocument,
     pub binary: &'d [u8],
 }
 

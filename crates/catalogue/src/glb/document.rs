@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct Document {
+pub(super) struct GlbDocument {
     pub scene: Option<usize>,
     #[serde(default)]
-    pub scenes: Vec<Scene>,
+    pub scenes: Vec<GlbScene>,
     #[serde(default)]
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<GlbNode>,
     #[serde(default)]
     pub meshes: Vec<Mesh>,
     #[serde(default)]
@@ -28,13 +28,13 @@ pub(super) struct Document {
 }
 
 #[derive(Debug, Deserialize)]
-pub(super) struct Scene {
+pub(super) struct GlbScene {
     #[serde(default)]
     pub nodes: Vec<usize>,
 }
 
 #[derive(Debug, Deserialize)]
-pub(super) struct Node {
+pub(super) struct GlbNode {
     pub mesh: Option<usize>,
     #[serde(default)]
     pub children: Vec<usize>,

@@ -11,7 +11,7 @@ use crate::faults::{Fault, beyond, broken, fault};
 use crate::limits;
 use crate::raw::{Patch, Raw, plain_surface, surface};
 use data::Data;
-use document::{Document, Material, Node, Primitive};
+use document::{GlbDocument, GlbNode, Material, Primitive};
 use nalgebra::{Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
 use scenelang_assets::Surface;
 use scenelang_base::codes;
@@ -38,7 +38,7 @@ const HARMLESS: [&str; 8] = [
 /// The triangles of a GLB file.
 pub(crate) fn read(bytes: &[u8]) -> Result<Raw, Fault> {
     let (json, binary) = chunks(bytes)?;
-    let document: Document =
+    let document: GlbDocument =
         serde_json::from_slice(json).map_err(|e| broken(format!("its JSON is not valid glTF: {e}")))?;
     refuse_references(&document, binary.len())?;
     if let Some(unknown) = document.extensions_required.iter().find(|e| !HARMLESS.contains(&e.as_str())) {
@@ -84,7 +84,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), Fault> {
 }
 
 /// Buffers must be in the file; pictures, which are not looked at, must not lead out of its folder.
-fn refuse_references(document: &Document, binary: usize) -> Result<(), Fault> {
+fn refuse_references(document: &GlbDocument, binary: usize) -> Result<(), Fault> {
     for (i, buffer) in document.buffers.iter().enumerate() {
         if buffer.uri.is_some() || i > 0 {
             return Err(fault(codes::E0703, "it has a buffer that is not in the file"));
@@ -178,7 +178,7 @@ fn strip(corners: &[u32]) -> Vec<u32> {
 }
 
 /// The transform of a node: a matrix, column by column, or translation, rotation and scale.
-fn local(node: &Node) -> Result<Matrix4<f64>, Fault> {
+fn local(node: &GlbNode) -> Result<Matrix4<f64>, Fault> {
     let matrix = match &node.matrix {
         Some(matrix) => Matrix4::from_column_slice(matrix),
         None => {

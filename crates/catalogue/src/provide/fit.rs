@@ -1,7 +1,7 @@
 //! A model at the size that an object has to have.
 
-use super::{Piece, Query, Remark, Why};
-use crate::model::Model;
+use super::{ProvidedModel, Query, Remark, Why};
+use crate::model::CatalogueModel;
 use scenelang_layout::{Convex, Part, Vec3};
 
 /// By how much a model is stretched more along one axis than along another, at most. Beyond it a chair looks wrong.
@@ -13,7 +13,7 @@ const EDGE: f64 = 0.5;
 
 /// Brings a model to the size that is wanted. `metric`: whether its own size is one in metres. Then it keeps its size
 /// where the program demands none; otherwise it takes the usual one.
-pub(super) fn fit(model: &Model, query: &Query, metric: bool) -> Result<Piece, Remark> {
+pub(super) fn fit(model: &CatalogueModel, query: &Query, metric: bool) -> Result<ProvidedModel, Remark> {
     let wanted = if metric { query.size } else { query.wanted() };
     let Some(wanted) = wanted else {
         let scale = if metric { 1.0 } else { EDGE / model.size.max() };
@@ -48,7 +48,7 @@ fn shown(size: &Vec3) -> String {
     format!("{:.2} × {:.2} × {:.2}", size.x, size.y, size.z)
 }
 
-fn scaled(model: &Model, by: &Vec3, size: Vec3) -> Piece {
+fn scaled(model: &CatalogueModel, by: &Vec3, size: Vec3) -> ProvidedModel {
     let mut mesh = model.mesh.clone();
     if *by != Vec3::repeat(1.0) {
         let even = by.min() == by.max();
@@ -66,7 +66,7 @@ fn scaled(model: &Model, by: &Vec3, size: Vec3) -> Piece {
         }
     }
     let parts = model.parts.iter().filter_map(|p| part(p, by)).collect();
-    Piece { size, parts, surface: None, joints: Vec::new(), mesh }
+    ProvidedModel { size, parts, surface: None, joints: Vec::new(), mesh }
 }
 
 fn part(part: &Part, by: &Vec3) -> Option<Part> {

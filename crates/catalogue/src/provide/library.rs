@@ -1,7 +1,7 @@
 //! The furniture library as a provider, and the labelled box that comes when nobody has anything.
 
-use super::{AssetProvider, Given, Piece, Query, Reply, Why};
-use scenelang_assets::{Asset, Request, family_of, furnish};
+use super::{AssetProvider, Given, ProvidedModel, Query, Reply, Why};
+use scenelang_assets::{Asset, AssetRequest, family_of, furnish};
 
 /// Furniture made to order: what a family draws.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +40,7 @@ impl AssetProvider for Boxed {
 /// The box of a thing, whether or not a family would draw it.
 pub(super) fn boxed(query: &Query) -> Given {
     let known = family_of(&query.category, &query.name).is_some();
-    let asked = if known { Request { name: "", category: "", ..request(query) } } else { request(query) };
+    let asked = if known { AssetRequest { name: "", category: "", ..request(query) } } else { request(query) };
     given(furnish(&asked))
 }
 
@@ -48,8 +48,8 @@ fn drawn(query: &Query) -> Asset {
     furnish(&request(query))
 }
 
-fn request(query: &Query) -> Request<'_> {
-    Request {
+fn request(query: &Query) -> AssetRequest<'_> {
+    AssetRequest {
         name: &query.name,
         category: &query.category,
         color: &query.color,
@@ -62,7 +62,7 @@ fn request(query: &Query) -> Request<'_> {
 fn given(asset: Asset) -> Given {
     let Asset { family, size, parts, surface, joints, mesh, .. } = asset;
     Given {
-        piece: Piece { size, parts, surface, joints, mesh },
+        piece: ProvidedModel { size, parts, surface, joints, mesh },
         source: family.to_owned(),
         score: None,
         content: None,

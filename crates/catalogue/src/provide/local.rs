@@ -11,7 +11,7 @@ use super::fit::fit;
 use super::{AssetProvider, Given, Query, Remark, Reply, Why, sum};
 use crate::features::TAU;
 use crate::folder::{Catalogue, Entry};
-use crate::model::Model;
+use crate::model::CatalogueModel;
 use crate::search::{Hit, Index, size_factor};
 use scenelang_assets::{family_of, words};
 use scenelang_base::Diagnostic;
@@ -25,7 +25,7 @@ const READ: usize = 8;
 const LOOKED_AT: usize = 10_000;
 
 /// A model with the sum of its file, or why it cannot be used.
-type Read = Result<(Arc<Model>, String), Box<Diagnostic>>;
+type Read = Result<(Arc<CatalogueModel>, String), Box<Diagnostic>>;
 
 /// A folder of models.
 #[derive(Debug)]

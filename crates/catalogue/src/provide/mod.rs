@@ -89,7 +89,7 @@ pub(crate) fn sum(bytes: &[&[u8]]) -> String {
 
 /// A thing, ready to be placed: frame and unit are those of the layout.
 #[derive(Clone, Debug)]
-pub struct Piece {
+pub struct ProvidedModel {
     /// Extents w, h, d (metres).
     pub size: Vec3,
     /// Convex solids; their common box is that of the piece.
@@ -106,7 +106,7 @@ pub struct Piece {
 #[derive(Clone, Debug)]
 pub struct Given {
     /// What is placed.
-    pub piece: Piece,
+    pub piece: ProvidedModel,
     /// The file, the family of the library, or what was asked of a generator.
     pub source: String,
     /// How well it fits, where that is measured.

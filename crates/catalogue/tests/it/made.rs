@@ -1,6 +1,6 @@
 //! GLB files made on the spot: a small writer, and meshes to write with it.
 
-use scenelang_assets::{Asset, Request, furnish};
+use scenelang_assets::{Asset, AssetRequest, furnish};
 use scenelang_layout::Vec3;
 use serde_json::{Value, json};
 use std::fs;
@@ -118,7 +118,7 @@ pub fn write(folder: &Path, name: &str, bytes: &[u8], card: &Value) {
 
 /// A thing as the furniture library makes it.
 pub fn furniture(category: &str) -> Asset {
-    furnish(&Request { category, size: usual(category), ..Request::default() })
+    furnish(&AssetRequest { category, size: usual(category), ..AssetRequest::default() })
 }
 
 /// The usual size of a category.

@@ -3,7 +3,7 @@
 use crate::made::{Mesh, block, furniture, glb, write};
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use scenelang_catalogue::{Catalogue, Model};
+use scenelang_catalogue::{Catalogue, CatalogueModel};
 use scenelang_layout::{Convex, Part, Vec3};
 use serde_json::{Value, json};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -12,7 +12,7 @@ use std::io::Write;
 use tempfile::tempdir;
 
 /// The one model of a folder.
-fn only(folder: &std::path::Path) -> Model {
+fn only(folder: &std::path::Path) -> CatalogueModel {
     let catalogue = Catalogue::open(folder).unwrap();
     assert!(catalogue.refused.is_empty(), "{:?}", catalogue.refused);
     let [entry] = catalogue.entries.as_slice() else { panic!("{:?}", catalogue.entries) };
@@ -24,14 +24,14 @@ fn only(folder: &std::path::Path) -> Model {
 }
 
 /// A model that is read from one file.
-fn read(name: &str, bytes: &[u8], card: &Value) -> Model {
+fn read(name: &str, bytes: &[u8], card: &Value) -> CatalogueModel {
     let folder = tempdir().unwrap();
     write(folder.path(), name, bytes, card);
     only(folder.path())
 }
 
 /// What always holds: mesh and parts fill the box, which stands on the floor, in the middle.
-fn is_in_its_box(model: &Model) {
+fn is_in_its_box(model: &CatalogueModel) {
     let half = Vec3::new(model.size.x / 2.0, 0.0, model.size.z / 2.0);
     let (lo, hi) = (-half, half + Vec3::new(0.0, model.size.y, 0.0));
     let (from, to) = model.mesh.bounds().unwrap();
@@ -48,7 +48,7 @@ fn desk() -> Mesh {
 }
 
 /// Where the box on the desk is.
-fn place_of_the_box(model: &Model) -> [f64; 3] {
+fn place_of_the_box(model: &CatalogueModel) -> [f64; 3] {
     let centers = model.parts.iter().map(|part| match part {
         Part::Box { pos, size, .. } => (size.product(), *pos),
         other => panic!("{other:?}"),

@@ -5,7 +5,7 @@
 use crate::generating::{ask, bounds, query};
 use crate::made::block;
 use scenelang_catalogue::Why;
-use scenelang_catalogue::generator::{Generator, Kind, Service};
+use scenelang_catalogue::generator::{Generator, Service, ServiceKind};
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream};
@@ -78,7 +78,7 @@ fn chair() -> Vec<u8> {
 type Outcome = Result<[f64; 3], (Why, String)>;
 
 /// What came of an order of a chair: the size, or why not; and what was asked for that.
-fn ordered(kind: Kind, script: Script) -> (Outcome, Vec<String>) {
+fn ordered(kind: ServiceKind, script: Script) -> (Outcome, Vec<String>) {
     let (url, asked) = server(script);
     let kept = tempdir().unwrap();
     let service = Service::on(kind, &url, "test-key", Duration::from_secs(10), || false).unwrap();
@@ -94,7 +94,7 @@ fn ordered(kind: Kind, script: Script) -> (Outcome, Vec<String>) {
 
 #[test]
 fn a_server_answers_with_the_file() {
-    let (got, asked) = ordered(Kind::Hunyuan, |line| match line {
+    let (got, asked) = ordered(ServiceKind::Hunyuan, |line| match line {
         "POST /generate" => (200, chair()),
         _ => (404, Vec::new()),
     });
@@ -104,7 +104,7 @@ fn a_server_answers_with_the_file() {
 
 #[test]
 fn a_task_is_looked_at_until_it_is_done() {
-    let (got, asked) = ordered(Kind::Meshy, |line| match line {
+    let (got, asked) = ordered(ServiceKind::Meshy, |line| match line {
         "POST /openapi/v2/text-to-3d" => json(202, &json!({ "result": "task-1" })),
         "GET /openapi/v2/text-to-3d/task-1" => {
             json(200, &json!({ "status": "SUCCEEDED", "progress": 100, "model_urls": { "glb": "{url}/files/a.glb" } }))
@@ -114,7 +114,7 @@ fn a_task_is_looked_at_until_it_is_done() {
     });
     assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
     assert_eq!(asked.len(), 3, "{asked:?}");
-    let (got, asked) = ordered(Kind::Tripo, |line| match line {
+    let (got, asked) = ordered(ServiceKind::Tripo, |line| match line {
         "POST /v2/openapi/task" => json(200, &json!({ "code": 0, "data": { "task_id": "t" } })),
         "GET /v2/openapi/task/t" => {
             json(200, &json!({ "data": { "status": "success", "output": { "model": "{url}/m.glb" } } }))
@@ -127,19 +127,24 @@ fn a_task_is_looked_at_until_it_is_done() {
 
 #[test]
 fn each_way_in_which_a_service_fails_is_told() {
-    let rows: [(Kind, Script, Why, &str); 8] = [
+    let rows: [(ServiceKind, Script, Why, &str); 8] = [
         (
-            Kind::Hunyuan,
+            ServiceKind::Hunyuan,
             |_| json(500, &json!({ "error": "no memory" })),
             Why::Failed,
             "reports an internal error (500): no memory",
         ),
-        (Kind::Hunyuan, |_| (200, b"<html>".to_vec()), Why::Broken, "it is not a GLB file"),
-        (Kind::Meshy, |_| json(401, &json!({ "message": "who?" })), Why::Failed, "does not accept the key: who?"),
-        (Kind::Meshy, |_| (302, Vec::new()), Why::Failed, "it redirects to another host"),
-        (Kind::Meshy, |_| json(200, &json!({ "result": "../../etc" })), Why::Failed, "did not name a task"),
+        (ServiceKind::Hunyuan, |_| (200, b"<html>".to_vec()), Why::Broken, "it is not a GLB file"),
         (
-            Kind::Meshy,
+            ServiceKind::Meshy,
+            |_| json(401, &json!({ "message": "who?" })),
+            Why::Failed,
+            "does not accept the key: who?",
+        ),
+        (ServiceKind::Meshy, |_| (302, Vec::new()), Why::Failed, "it redirects to another host"),
+        (ServiceKind::Meshy, |_| json(200, &json!({ "result": "../../etc" })), Why::Failed, "did not name a task"),
+        (
+            ServiceKind::Meshy,
             |line| match line {
                 "POST /openapi/v2/text-to-3d" => json(200, &json!({ "result": "a" })),
                 _ => json(200, &json!({ "status": "FAILED", "task_error": { "message": "too\u{1b}[31m rude" } })),
@@ -148,7 +153,7 @@ fn each_way_in_which_a_service_fails_is_told() {
             "could not make it: too [31m rude",
         ),
         (
-            Kind::Tripo,
+            ServiceKind::Tripo,
             |line| match line {
                 "POST /v2/openapi/task" => json(200, &json!({ "data": { "task_id": "t" } })),
                 _ => json(200, &json!({ "data": { "status": "success", "output": { "model": "http://10.0.0.1/x" } } })),
@@ -157,7 +162,7 @@ fn each_way_in_which_a_service_fails_is_told() {
             "at an address that is not https",
         ),
         (
-            Kind::Tripo,
+            ServiceKind::Tripo,
             |line| match line {
                 "POST /v2/openapi/task" => json(200, &json!({ "data": { "task_id": "t" } })),
                 _ => {
@@ -177,9 +182,9 @@ fn each_way_in_which_a_service_fails_is_told() {
 
 #[test]
 fn a_key_is_needed_and_stays_private() {
-    let at = |url: &str| Service::on(Kind::Meshy, url, "k", Duration::from_secs(1), || false).map(drop);
+    let at = |url: &str| Service::on(ServiceKind::Meshy, url, "k", Duration::from_secs(1), || false).map(drop);
     assert!(at("http://a.example").unwrap_err().contains("must start with https"));
     assert!(at("ftp://a.example").unwrap_err().contains("must start with https:// or http://"));
-    let none = Service::on(Kind::Meshy, "https://a.example", "", Duration::from_secs(1), || false);
+    let none = Service::on(ServiceKind::Meshy, "https://a.example", "", Duration::from_secs(1), || false);
     assert_eq!(none.map(drop), Err("meshy needs a key: set MESHY_API_KEY".to_owned()));
 }

@@ -1,6 +1,6 @@
 //! Options of the commands that measure: `scenelang bench` and `scenelang eval`.
 
-use super::{Model, Plain, SummaryFormat, seconds};
+use super::{ModelOptions, Plain, SummaryFormat, seconds};
 use clap::{Args as ClapArgs, Subcommand};
 use std::path::PathBuf;
 
@@ -110,7 +110,7 @@ pub struct EvalRun {
     pub format: SummaryFormat,
     /// Which model is asked directly for layouts
     #[command(flatten)]
-    pub model: Model,
+    pub model: ModelOptions,
 }
 
 /// `scenelang eval report`
@@ -191,5 +191,5 @@ pub struct EvalSceneEval {
     pub format: SummaryFormat,
     /// Which model is asked what names and words of relations mean, instead of the table
     #[command(flatten)]
-    pub model: Model,
+    pub model: ModelOptions,
 }

@@ -266,13 +266,13 @@ pub struct Solve {
     pub free: bool,
     /// The effort of the search, and its threads
     #[command(flatten)]
-    pub search: Search,
+    pub search: SearchOptions,
     /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,
     /// The language model
     #[command(flatten)]
-    pub model: Model,
+    pub model: ModelOptions,
     /// The sources of furniture
     #[command(flatten)]
     pub furniture: Furniture,
@@ -315,7 +315,7 @@ pub struct Repair {
 
 /// How much `solve` and `synth` may spend on the search for a layout.
 #[derive(ClapArgs, Debug, Clone)]
-pub struct Search {
+pub struct SearchOptions {
     /// The maximum number of threads; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
@@ -328,7 +328,7 @@ pub struct Search {
     pub quality: u8,
 }
 
-impl Search {
+impl SearchOptions {
     /// How many threads may search; 0: as many as there are cores.
     pub fn threads(&self) -> usize {
         self.threads.map_or(0, usize::from)
@@ -337,7 +337,7 @@ impl Search {
 
 /// A language model that proposes moves, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
-pub struct Model {
+pub struct ModelOptions {
     /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama or compatible, each with `:NAME`;
     /// `configured` for the one in scenelang.toml; `replay:FILE` for a recorded conversation; `none` [env: SCENELANG_MODEL]
     /// [default: none]
@@ -401,7 +401,7 @@ pub struct Formalize {
     pub format: SummaryFormat,
     /// The language model
     #[command(flatten)]
-    pub model: Model,
+    pub model: ModelOptions,
 }
 
 /// `scenelang synth`
@@ -430,7 +430,7 @@ pub struct Synth {
     pub time: Option<f64>,
     /// The effort of the search, and its threads
     #[command(flatten)]
-    pub search: Search,
+    pub search: SearchOptions,
     /// The output format
     #[arg(long, value_enum, default_value_t = SummaryFormat::Human)]
     pub format: SummaryFormat,
@@ -442,16 +442,16 @@ pub struct Synth {
     pub pipeline: Pipeline,
     /// Rerun this stage and all later ones, even if nothing has changed
     #[arg(long, value_name = "STAGE", value_enum)]
-    pub from: Option<Step>,
+    pub from: Option<StageName>,
     /// Stop after this stage
-    #[arg(long, value_name = "STAGE", value_enum, default_value_t = Step::Export, hide_default_value = true)]
-    pub until: Step,
+    #[arg(long, value_name = "STAGE", value_enum, default_value_t = StageName::Export, hide_default_value = true)]
+    pub until: StageName,
     /// Print for each stage and object what is rebuilt, and why
     #[arg(long)]
     pub explain_rebuild: bool,
     /// The language model
     #[command(flatten)]
-    pub model: Model,
+    pub model: ModelOptions,
     /// The sources of furniture
     #[command(flatten)]
     pub furniture: Furniture,
@@ -459,7 +459,7 @@ pub struct Synth {
 
 /// `synth --from`, `synth --until`: a stage
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Step {
+pub enum StageName {
     /// The program is written and compiled
     Program,
     /// Every object gets a size and its parts

@@ -13,7 +13,7 @@ use crate::args::{BatchRun, SummaryFormat};
 use crate::progress::Progress;
 use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, out, parallel, replace};
 use manifest::{Job, Line, lines};
-use record::{Kind, Record, Trouble, layout_of, scene_of};
+use record::{FailureKind, Record, Trouble, layout_of, scene_of};
 use scenelang_base::door::Door;
 use scenelang_base::owned::{Standing, standing};
 use serde::{Deserialize, Serialize};
@@ -151,7 +151,7 @@ fn all(args: &BatchRun) -> Result<u8, String> {
     if again > 0 && args.format == SummaryFormat::Human {
         out::show(&format!("{again} lines were done before\n"));
     }
-    let files = found.results.iter().filter_map(|o| o.error.as_ref()).filter(|error| error.kind == Kind::Files);
+    let files = found.results.iter().filter_map(|o| o.error.as_ref()).filter(|error| error.kind == FailureKind::Files);
     let mut code = found.show(args.format);
     for error in files.take(NAMED) {
         eprintln!("error: {}", error.message);
@@ -170,7 +170,7 @@ fn one(args: &BatchRun, program: &Path, line: &Line) -> Option<(Outcome, bool)> 
     let own = [scene_of(&line.name), layout_of(&line.name)].map(|name| args.output.join(name));
     for file in own.iter().chain([&record::path(&args.output, &line.name)]) {
         if let Err(why) = replace::permit(file, &[&args.manifest], args.force) {
-            return Some((of(bad(Kind::Files, why)), false));
+            return Some((of(bad(FailureKind::Files, why)), false));
         }
     }
     if let Some(record) = Record::of(&args.output, line).filter(|record| record.ok || !args.retry) {
@@ -182,10 +182,10 @@ fn one(args: &BatchRun, program: &Path, line: &Line) -> Option<(Outcome, bool)> 
         }
     }
     let trouble = match &line.job {
-        Err(why) => Some(Trouble::new(Kind::Line, why.clone())),
+        Err(why) => Some(Trouble::new(FailureKind::Line, why.clone())),
         Ok(job) => worked(args, program, line, job),
     };
-    if trouble.as_ref().is_some_and(|trouble| trouble.kind == Kind::Crash) {
+    if trouble.as_ref().is_some_and(|trouble| trouble.kind == FailureKind::Crash) {
         // Ctrl-C reaches the process as soon as it reaches us.
         std::thread::sleep(10 * LOOK);
     }
@@ -196,19 +196,19 @@ fn one(args: &BatchRun, program: &Path, line: &Line) -> Option<(Outcome, bool)> 
         // The process wrote what came of it.
         None => match Record::of(&args.output, line) {
             Some(record) => return Some((of(record), false)),
-            None => bad(Kind::Crash, "the process that worked on it ended without a result".to_owned()),
+            None => bad(FailureKind::Crash, "the process that worked on it ended without a result".to_owned()),
         },
         Some(trouble) => Record::bad(&line.name, &line.key, Some(trouble)),
     };
     match record.write(&args.output) {
         Ok(()) => Some((of(record), false)),
-        Err(why) => Some((of(bad(Kind::Files, why)), false)),
+        Err(why) => Some((of(bad(FailureKind::Files, why)), false)),
     }
 }
 
 /// Has a process work on a line; `None`: it has written what came of it.
 fn worked(args: &BatchRun, program: &Path, line: &Line, job: &Job) -> Option<Trouble> {
-    let crash = |why: String| Some(Trouble::new(Kind::Crash, why));
+    let crash = |why: String| Some(Trouble::new(FailureKind::Crash, why));
     let task = Task {
         job: job.clone(),
         name: line.name.clone(),
@@ -248,9 +248,10 @@ fn worked(args: &BatchRun, program: &Path, line: &Line, job: &Job) -> Option<Tro
     match ended {
         Ok(Some(status)) if status.success() => None,
         Ok(Some(status)) => Some(badly(status, &said, args.memory)),
-        Ok(None) => {
-            Some(Trouble::new(Kind::Time, format!("it was stopped after {} s (--time increases the limit)", args.time)))
-        }
+        Ok(None) => Some(Trouble::new(
+            FailureKind::Time,
+            format!("it was stopped after {} s (--time increases the limit)", args.time),
+        )),
         Err(why) => crash(format!("cannot wait for its process: {why}")),
     }
 }
@@ -292,10 +293,10 @@ fn badly(status: ExitStatus, said: &str, memory: u64) -> Trouble {
     // What the standard library says before it ends the process.
     if said.contains("memory allocation of") || said.contains("Cannot allocate memory") {
         return Trouble::new(
-            Kind::Memory,
+            FailureKind::Memory,
             format!("it needed more than {memory} MiB of memory (--memory increases the limit)"),
         );
     }
     let last = said.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("it said nothing");
-    Trouble::new(Kind::Crash, format!("its process ended with {status}: {}", last.trim()))
+    Trouble::new(FailureKind::Crash, format!("its process ended with {status}: {}", last.trim()))
 }

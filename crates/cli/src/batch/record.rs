@@ -13,7 +13,7 @@ const FORMAT: &str = "scenelang.batchResult/1";
 /// Why a line has no scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub enum Kind {
+pub enum FailureKind {
     /// The line is no job.
     Line,
     /// The request or the program cannot be read.
@@ -36,14 +36,14 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Trouble {
     /// Its kind.
-    pub kind: Kind,
+    pub kind: FailureKind,
     /// What happened.
     pub message: String,
 }
 
 impl Trouble {
     /// Of a kind.
-    pub fn new(kind: Kind, message: impl Into<String>) -> Self {
+    pub fn new(kind: FailureKind, message: impl Into<String>) -> Self {
         Self { kind, message: message.into() }
     }
 }

@@ -2,10 +2,10 @@
 //! command `scenelang batch-line`, which reads a [`Task`] from standard input.
 
 use super::manifest::{Job, beside};
-use super::record::{Kind, Record, Trouble, layout_of, scene_of};
+use super::record::{FailureKind, Record, Trouble, layout_of, scene_of};
 use crate::{FAILED, GOOD, formalize, interrupt, replace, settings};
 use scenelang_base::door::{Door, MOST};
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage};
+use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage};
 use scenelang_verify::report::Report;
 use scenelang_verify::report::model::Finding;
 use scenelang_verify::{Checked, Explain, exit_code};
@@ -99,24 +99,24 @@ fn bound(_memory: u64) {}
 /// Writes program and layout; how many objects there are.
 fn make(task: &Task) -> Result<usize, Trouble> {
     let (job, folder) = (&task.job, &task.folder);
-    let files = |why: String| Trouble::new(Kind::Files, why);
-    let input = |why: String| Trouble::new(Kind::Input, why);
+    let files = |why: String| Trouble::new(FailureKind::Files, why);
+    let input = |why: String| Trouble::new(FailureKind::Input, why);
     let scene = folder.join(scene_of(&task.name));
     let mut start = None;
     let mut quality = job.quality;
     if let Some(request) = &job.request {
-        let request = formalize::Request::Words(request.clone());
+        let request = formalize::RequestSource::Words(request.clone());
         let understood =
             formalize::understand(request, job.literal, true, None, &interrupt::stop(), None).map_err(input)?;
         if understood.reading.nothing {
             return Err(Trouble::new(
-                Kind::Input,
+                FailureKind::Input,
                 "nothing in the request was understood; say what stands in which room",
             ));
         }
         replace::program(&scene, &understood.program).map_err(files)?;
         if let Some(why) = understood.overfull {
-            return Err(Trouble::new(Kind::Unsatisfied, why));
+            return Err(Trouble::new(FailureKind::Unsatisfied, why));
         }
         start =
             understood.layout.filter(|_| job.seed == 0).map(|layout| scenelang_layout::file::to_json(&layout, None));
@@ -142,7 +142,7 @@ fn solved(task: &Task, program: &Path, start: Option<&str>, quality: u8) -> Resu
     };
     let input = |sources, findings| {
         let options = scenelang_verify::Options::default();
-        Trouble::new(Kind::Input, errors(&Checked::refused(&called, sources, findings, &options).report))
+        Trouble::new(FailureKind::Input, errors(&Checked::refused(&called, sources, findings, &options).report))
     };
     let mut judge = settings::all(&Default::default(), &Door::of(program))
         .map_err(|refused| input(refused.sources, refused.diagnostics))?
@@ -150,7 +150,7 @@ fn solved(task: &Task, program: &Path, start: Option<&str>, quality: u8) -> Resu
         .options;
     judge.detail.explain = Explain::First(0);
     let layout_name = layout_of(&task.name);
-    let request = Request {
+    let request = LayoutRequest {
         name: &called,
         path: program,
         files: &Door::of(program),
@@ -175,12 +175,12 @@ fn solved(task: &Task, program: &Path, start: Option<&str>, quality: u8) -> Resu
     match scenelang_synth::solve(&request, &mut Unseen) {
         Ok(solved) if exit_code(&solved.first.checked.report) == 0 => {
             replace::layouts(&[(&layout, &solved.first.text)], |_| false)
-                .map_err(|why| Trouble::new(Kind::Files, why))?;
+                .map_err(|why| Trouble::new(FailureKind::Files, why))?;
             Ok(solved.first.layout().objects.len())
         }
-        Ok(solved) => Err(Trouble::new(Kind::Unsatisfied, violations(&solved.first.checked))),
-        Err(Failure::Interrupted) => Err(Trouble::new(Kind::Crash, "it was interrupted")),
-        Err(Failure::Contradiction(checked)) => Err(Trouble::new(Kind::Contradiction, errors(&checked.report))),
+        Ok(solved) => Err(Trouble::new(FailureKind::Unsatisfied, violations(&solved.first.checked))),
+        Err(Failure::Interrupted) => Err(Trouble::new(FailureKind::Crash, "it was interrupted")),
+        Err(Failure::Contradiction(checked)) => Err(Trouble::new(FailureKind::Contradiction, errors(&checked.report))),
         Err(Failure::Input(sources, findings)) => Err(input(sources, findings)),
     }
 }

@@ -1,6 +1,6 @@
 //! The table: a row for each family of problems.
 
-use super::trial::{Trial, TrialEnd};
+use super::trial::{BenchRun, TrialEnd};
 use crate::table::Table;
 use scenelang_verify::report::model::Tally;
 use std::time::Duration;
@@ -12,7 +12,7 @@ pub struct Family<'a> {
     /// How many problems.
     pub problems: usize,
     /// Every run of them.
-    pub trials: Vec<&'a Trial>,
+    pub trials: Vec<&'a BenchRun>,
 }
 
 impl Family<'_> {
@@ -26,13 +26,13 @@ impl Family<'_> {
     }
     /// How many of the constraints hold in all layouts together.
     pub fn stated(&self) -> Tally {
-        self.sum(Trial::stated)
+        self.sum(BenchRun::stated)
     }
     /// How many of the preferences.
     pub fn preferences(&self) -> Tally {
         self.sum(|t| t.held.preferences)
     }
-    fn sum(&self, of: impl Fn(&Trial) -> Tally) -> Tally {
+    fn sum(&self, of: impl Fn(&BenchRun) -> Tally) -> Tally {
         self.trials
             .iter()
             .map(|t| of(t))
@@ -51,7 +51,7 @@ impl Family<'_> {
 pub const SHARES: [(&str, f64); 4] = [("median", 0.5), ("p90", 0.9), ("p99", 0.99), ("max", 1.0)];
 
 /// Runs by family, in the order in which families first occur.
-pub fn of(trials: &[Trial]) -> Vec<Family<'_>> {
+pub fn of(trials: &[BenchRun]) -> Vec<Family<'_>> {
     let mut out: Vec<Family<'_>> = Vec::new();
     for trial in trials {
         let at = out.iter().position(|f| f.name == trial.family).unwrap_or_else(|| {
@@ -66,7 +66,7 @@ pub fn of(trials: &[Trial]) -> Vec<Family<'_>> {
 }
 
 /// The table as text.
-pub fn text(trials: &[Trial]) -> String {
+pub fn text(trials: &[BenchRun]) -> String {
     let [median, p90, p99, max] = SHARES.map(|(name, _)| name);
     let head = ["family", "problems", "runs", "solved", "refuted", "constraints", "preferences", median, p90, p99, max];
     let mut table = Table::new(&head);
@@ -121,9 +121,9 @@ mod tests {
     use super::*;
     use scenelang_verify::report::model::Summary;
 
-    fn trial(family: &str, problem: &str, first: Option<u64>) -> Trial {
+    fn trial(family: &str, problem: &str, first: Option<u64>) -> BenchRun {
         let assertions = Tally { total: 10, satisfied: if first.is_some() { 10 } else { 7 } };
-        Trial {
+        BenchRun {
             problem: problem.into(),
             family: family.into(),
             seed: 0,

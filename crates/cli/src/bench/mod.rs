@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, parallel, replace};
 use problems::Case;
 use std::time::Duration;
-use trial::{Limits, Trial};
+use trial::{BenchRun, Limits};
 
 /// Runs the problems; 0 if each run gave the answer, be it a layout or the proof that there is none.
 pub fn solve(args: &BenchSolve) -> u8 {
@@ -65,9 +65,9 @@ pub fn solve(args: &BenchSolve) -> u8 {
 }
 
 /// All runs in order, and what could not be run.
-fn run(cases: &[Case], limits: &Limits<'_>, threads: usize) -> (Vec<Trial>, Vec<String>) {
+fn run(cases: &[Case], limits: &Limits<'_>, threads: usize) -> (Vec<BenchRun>, Vec<String>) {
     let progress = Progress::new("starting");
-    let (mut trials, mut failures): (Vec<Trial>, Vec<String>) = (Vec::new(), Vec::new());
+    let (mut trials, mut failures): (Vec<BenchRun>, Vec<String>) = (Vec::new(), Vec::new());
     let mut done = 0;
     parallel::in_order(
         cases,

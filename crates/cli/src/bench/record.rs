@@ -2,7 +2,7 @@
 
 use super::families::{self, SHARES};
 use super::others;
-use super::trial::{Trial, TrialEnd};
+use super::trial::{BenchRun, TrialEnd};
 use crate::args::BenchSolve;
 use scenelang_verify::report::model::Tally;
 use serde_json::{Map, Value, json};
@@ -12,7 +12,7 @@ use std::time::Duration;
 const FORMAT: &str = "scenelang.bench/1";
 
 /// All runs, the table, and the figures of others. Times are seconds.
-pub fn json(args: &BenchSolve, trials: &[Trial]) -> Value {
+pub fn json(args: &BenchSolve, trials: &[BenchRun]) -> Value {
     json!({
         "format": FORMAT,
         "version": env!("CARGO_PKG_VERSION"),
@@ -40,7 +40,7 @@ fn family(family: &families::Family<'_>) -> Value {
     })
 }
 
-fn run(trial: &Trial) -> Value {
+fn run(trial: &BenchRun) -> Value {
     let (answer, contradictions) = match &trial.answer {
         TrialEnd::Solved => ("solved", None),
         TrialEnd::Unsolved => ("unsolved", None),

@@ -43,7 +43,7 @@ pub enum TrialEnd {
 
 /// One run.
 #[derive(Clone, Debug)]
-pub struct Trial {
+pub struct BenchRun {
     /// The problem's name.
     pub problem: String,
     /// Its family.
@@ -70,7 +70,7 @@ pub struct Trial {
     pub cut: bool,
 }
 
-impl Trial {
+impl BenchRun {
     /// Whether this is the answer: a layout, or the proof that there is none.
     pub fn answered(&self) -> bool {
         self.answer != TrialEnd::Unsolved
@@ -86,7 +86,7 @@ impl Trial {
 ///
 /// # Errors
 /// A sentence: the program does not compile, or a layout cannot be written.
-pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<Trial>, String> {
+pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<BenchRun>, String> {
     if interrupt::asked() {
         return Ok(Vec::new());
     }
@@ -104,7 +104,7 @@ pub fn run(case: &Case, limits: &Limits<'_>) -> Result<Vec<Trial>, String> {
     let proving = begun.elapsed();
     let mut trials = Vec::new();
     for seed in 0..limits.seeds {
-        let mut trial = Trial {
+        let mut trial = BenchRun {
             problem: case.name.clone(),
             family: case.family.clone(),
             seed,
@@ -147,7 +147,7 @@ fn solve(
     compiled: &Compiled,
     program: &Program,
     limits: &Limits<'_>,
-    trial: &mut Trial,
+    trial: &mut BenchRun,
 ) -> Result<(), String> {
     let draws = scenelang_solve::draws(program, trial.seed);
     let start = furnish(program, draws, None, &limits.judge).layout;

@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use crate::replace::May;
 use crate::table::Table;
 use crate::{FINDINGS, GOOD, INTERRUPTED, interrupt, parallel, replace};
-use scenelang_eval::dataset::{PUBLISHED, SCHEMA, Scene, Statistics, solved};
+use scenelang_eval::dataset::{DatasetScene, PUBLISHED, SCHEMA, Statistics, solved};
 use scenelang_export::OutFile;
 use std::fmt::Write;
 
@@ -24,9 +24,9 @@ pub fn run(args: &EvalDataset) -> u8 {
     let stop = interrupt::stop();
     let numbers: Vec<u64> = (0..args.scenes).collect();
     let progress = Progress::new("starting");
-    let mut scenes: Vec<Scene> = Vec::new();
+    let mut scenes: Vec<DatasetScene> = Vec::new();
     let mut failure = None;
-    let each = |scene: Option<Result<Scene, String>>| {
+    let each = |scene: Option<Result<DatasetScene, String>>| {
         match scene {
             Some(Ok(scene)) => scenes.push(scene),
             Some(Err(why)) => failure = failure.take().or(Some(why)),
@@ -54,10 +54,10 @@ pub fn run(args: &EvalDataset) -> u8 {
         SummaryFormat::Json => println!("{}", statistics.json()),
         SummaryFormat::Human => crate::out::show(&text(&statistics)),
     }
-    if scenes.iter().all(Scene::holds) { GOOD } else { FINDINGS }
+    if scenes.iter().all(DatasetScene::holds) { GOOD } else { FINDINGS }
 }
 
-fn files(scenes: &[Scene], statistics: &Statistics) -> Result<Vec<OutFile>, String> {
+fn files(scenes: &[DatasetScene], statistics: &Statistics) -> Result<Vec<OutFile>, String> {
     let mut lines = String::new();
     let mut out = Vec::new();
     for scene in scenes {

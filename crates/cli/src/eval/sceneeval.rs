@@ -3,7 +3,7 @@
 
 use super::{fail, of, percent};
 use crate::args::{EvalSceneEval, SummaryFormat};
-use crate::model::Asked as Asking;
+use crate::model::ModelSession;
 use crate::progress::Progress;
 use crate::replace::May;
 use crate::table::Table as Columns;
@@ -12,12 +12,12 @@ use scenelang_base::door::Door;
 use scenelang_base::owned::{Standing, standing};
 use scenelang_engine::{check_file, program_of};
 use scenelang_eval::Share;
-use scenelang_eval::sceneeval::{Asked, Benchmark, Case, Made, Scores, Table, by_model, categories, read};
+use scenelang_eval::sceneeval::{AnnotatedRequest, Benchmark, Case, Made, Scores, Table, by_model, categories, read};
 use scenelang_export::OutFile;
 use scenelang_formalize::write::write;
 use scenelang_llm::Session;
 use scenelang_solve::MOST_OBJECTS;
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage, rehearsed, solve};
+use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage, rehearsed, solve};
 use scenelang_verify::{Explain, exit_code};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub fn run(args: &EvalSceneEval) -> u8 {
         Ok(benchmark) => benchmark,
         Err(message) => return fail(&message),
     };
-    let mut model = match Asking::new(&args.model, &scenelang_verify::settings::Llm::default(), 0) {
+    let mut model = match ModelSession::new(&args.model, &scenelang_verify::settings::Llm::default(), 0) {
         Ok(asked) => asked.map(|asked| asked.into_parts().0),
         Err(why) => return fail(&why.to_string()),
     };
@@ -91,8 +91,9 @@ fn chosen(args: &EvalSceneEval) -> Result<Benchmark, String> {
     let bytes = Door::of(&args.annotations).read(&args.annotations).map_err(|e| format!("cannot read {name}: {e}"))?;
     let text = String::from_utf8(bytes).map_err(|_| format!("{name} is not valid UTF-8"))?;
     let mut benchmark = read(&text).map_err(|why| format!("{name}: {why}"))?;
-    let parity =
-        |asked: &Asked| asked.id.bytes().all(|b| b.is_ascii_digit()).then(|| asked.id.bytes().last()).flatten();
+    let parity = |asked: &AnnotatedRequest| {
+        asked.id.bytes().all(|b| b.is_ascii_digit()).then(|| asked.id.bytes().last()).flatten()
+    };
     let ids: Vec<&str> = args.ids.iter().map(String::as_str).collect();
     match ids.as_slice() {
         [] => {}
@@ -109,12 +110,12 @@ fn chosen(args: &EvalSceneEval) -> Result<Benchmark, String> {
 }
 
 /// The program and the layout of a request in a folder.
-fn files(folder: &Path, asked: &Asked) -> [PathBuf; 2] {
+fn files(folder: &Path, asked: &AnnotatedRequest) -> [PathBuf; 2] {
     ["scene", "layout.json"].map(|end| folder.join(format!("{}.{end}", asked.id)))
 }
 
 /// Whether all that will be written may be.
-fn permitted(args: &EvalSceneEval, requests: &[Asked]) -> Result<(), String> {
+fn permitted(args: &EvalSceneEval, requests: &[AnnotatedRequest]) -> Result<(), String> {
     let inputs = [args.annotations.as_path()];
     let own = requests.iter().filter(|_| args.layouts.is_none()).flat_map(|asked| files(&args.output, asked));
     own.chain(REPORT.map(|name| args.output.join(name)))
@@ -122,7 +123,7 @@ fn permitted(args: &EvalSceneEval, requests: &[Asked]) -> Result<(), String> {
 }
 
 /// Makes what there is to make for a request, and scores it; `None`: the end was asked for.
-fn case(args: &EvalSceneEval, asked: &Asked, model: Option<&mut Session>) -> Result<Option<Case>, String> {
+fn case(args: &EvalSceneEval, asked: &AnnotatedRequest, model: Option<&mut Session>) -> Result<Option<Case>, String> {
     let table = &Table::new();
     if interrupt::asked() {
         return Ok(None);
@@ -148,7 +149,7 @@ fn case(args: &EvalSceneEval, asked: &Asked, model: Option<&mut Session>) -> Res
 }
 
 /// Writes program and layout of a request. What is returned says why there is no layout.
-fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, String> {
+fn make(asked: &AnnotatedRequest, scene: &Path, layout: &Path) -> Result<Option<String>, String> {
     let stop = interrupt::stop();
     let mut reading = scenelang_formalize::read(&asked.description, &scenelang_formalize::Options { literal: false });
     if reading.nothing {
@@ -168,7 +169,7 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
     }
     let start = planned.map(|layout| scenelang_layout::file::to_json(&layout, None));
     let name = layout.display().to_string();
-    let request = Request {
+    let request = LayoutRequest {
         name: &scene.display().to_string(),
         path: scene,
         files: &Door::of(scene),
@@ -205,7 +206,7 @@ fn make(asked: &Asked, scene: &Path, layout: &Path) -> Result<Option<String>, St
 }
 
 /// Scores a layout with the program that it belongs to, where that is there. A model says what words mean, if there is one.
-fn scored(asked: &Asked, layout: &Path, model: Option<&mut Session>) -> Result<Case, String> {
+fn scored(asked: &AnnotatedRequest, layout: &Path, model: Option<&mut Session>) -> Result<Case, String> {
     let mut options = scenelang_verify::Options::default();
     options.detail.explain = Explain::First(0);
     let name = layout.display().to_string();

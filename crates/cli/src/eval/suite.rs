@@ -2,7 +2,7 @@
 
 use super::fail;
 use crate::args::{EvalReport, EvalRun, SummaryFormat};
-use crate::model::Asked;
+use crate::model::ModelSession;
 use crate::progress::Progress;
 use crate::{GOOD, INTERRUPTED, interrupt, parallel, replace};
 use scenelang_base::door::Door;
@@ -50,7 +50,7 @@ fn all(args: &EvalRun) -> Result<u8, String> {
     }
     let similarity = similarity(args, &suite)?;
     let workspace = scenelang_verify::settings::Llm::default();
-    let asked = Asked::new(&args.model, &workspace, suite.seed).map_err(|e| e.to_string())?;
+    let asked = ModelSession::new(&args.model, &workspace, suite.seed).map_err(|e| e.to_string())?;
     let mut model = asked.map(|asked| asked.into_parts().0);
     let name = model.as_ref().map(|model| model.name().to_owned());
     interrupt::gently();

@@ -11,9 +11,9 @@ use crate::{formalize as reader, replace, solution};
 use scenelang_base::Diagnostic;
 use scenelang_base::FileId;
 use scenelang_layout::file as layout_file;
-use scenelang_solve::repair::told::{Told, how, rounded, rows};
+use scenelang_solve::repair::told::{AlternativesReport, how, rounded, rows};
 use scenelang_solve::repair::{Damaged, RepairOptions, Text, Unjudged, Which, repair as look};
-use scenelang_synth::{Failure, Hold, Observer, Request, Stage};
+use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage};
 use scenelang_verify::Checked;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -46,7 +46,7 @@ pub fn formalize(call: &Call<'_>, Formalize { request, file, literal }: Formaliz
         }
         call.workspace.permit(path, &[])?;
     }
-    let understood = reader::understand(reader::Request::Words(request), literal, true, None, call.stop, None)?;
+    let understood = reader::understand(reader::RequestSource::Words(request), literal, true, None, call.stop, None)?;
     if call.stop.is_set() {
         return Err(call.late());
     }
@@ -109,7 +109,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
     }
     let judging = call.workspace.judging(&files)?;
     let (name, layout_name) = (called(&path), called(&layout));
-    let request = Request {
+    let request = LayoutRequest {
         name: &name,
         path: &path,
         files: &files,
@@ -204,7 +204,7 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
     if call.stop.is_set() {
         return Err(call.late());
     }
-    let told = Told { checked: &checked, program, name: &name };
+    let told = AlternativesReport { checked: &checked, program, name: &name };
     let (failing, more) = verdict::list(
         told.failing(&found.failing).into_iter(),
         |(id, _, text)| json!({ "id": id, "text": folded(&text) }),

@@ -2,7 +2,7 @@
 
 use super::tools::Call;
 use super::workspace::{called, is_program};
-use crate::targets::{self, Target};
+use crate::targets::{self, JudgeTarget};
 use rmcp::model::{Resource, ResourceContents, ResourceTemplate};
 use scenelang_verify::report;
 use std::path::{Path, PathBuf};
@@ -81,7 +81,7 @@ pub fn read(call: &Call<'_>, address: &str) -> Result<ResourceContents, String> 
 fn programs() -> Vec<PathBuf> {
     let found = targets::find(&[PathBuf::from(".")]).into_iter();
     found
-        .filter_map(|target| if let Target::File(path) = target { Some(path) } else { None })
+        .filter_map(|target| if let JudgeTarget::File(path) = target { Some(path) } else { None })
         .filter(|p| is_program(p))
         .collect()
 }

@@ -3,7 +3,7 @@
 use crate::replace;
 use crate::room::layout_of;
 use crate::settings;
-use scenelang_analysis::{Found, Judging, Question};
+use scenelang_analysis::{FileSettings, Judging, Question};
 use scenelang_base::door::{Door, MARK, normal, outside};
 use scenelang_engine::program_of;
 use scenelang_lang::sources::Loader;
@@ -154,7 +154,7 @@ impl Workspace {
     pub fn judge(&self, path: &Path, files: &Files<'_>) -> Checked {
         let beside = layout_of(path);
         let path = if files.has(&beside) { &beside } else { path };
-        let found: Found = settings::find(&files.door, files);
+        let found: FileSettings = settings::find(&files.door, files);
         let detail = Detail { sentences: true, explain: Explain::First(EXPLAINED), ..Detail::default() };
         let (name, given) = (called(path), Settings::default());
         let compile = scenelang_lang::Options::default();

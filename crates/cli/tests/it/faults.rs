@@ -5,7 +5,7 @@ use crate::support::{folder_with, for_each_example, read_json, scenelang};
 use scenelang_base::FileId;
 use scenelang_lang::{Options, Program, compile_file};
 use scenelang_verify::check::{Subject, check};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use serde_json::Value;
 
 /// What is done to an object: the member that changes, which of its numbers, and by how much (metres, degrees).
@@ -34,7 +34,7 @@ fn is_blamed(program: &Program, layout: &Value, object: &str) -> bool {
     assert_eq!(read.diagnostics, []);
     let verdict = check(program, &read.layout, &scenelang_verify::Options::default());
     verdict.rows.iter().any(|row| {
-        let rule = matches!(row.kind, Kind::Collision | Kind::Bounds | Kind::Support);
+        let rule = matches!(row.kind, RowKind::Collision | RowKind::Bounds | RowKind::Support);
         assert!(rule && !matches!(row.subject, Subject::Statement(_)));
         row.satisfied == Some(false) && row.objects.iter().any(|o| program.objects[o.0 as usize].name == object)
     })

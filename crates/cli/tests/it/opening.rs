@@ -5,7 +5,7 @@
 
 use crate::hostile::Dice;
 use crate::support::{python, run, skip};
-use scenelang_assets::{Request, furnish};
+use scenelang_assets::{AssetRequest, furnish};
 use scenelang_base::FileId;
 use scenelang_lang::library::usual_size;
 use scenelang_lang::{Program, compile_text};
@@ -77,7 +77,8 @@ fn made(dice: &mut Dice, (category, features): (&str, &str), factor: f64) -> Pla
     let usual = usual_size(category).map_or(Vec3::new(0.6, 0.9, 0.5), Vec3::from);
     for _ in 0..100 {
         let size = usual.map(|extent| extent * between(dice, 1.0 - factor, 1.0 + factor));
-        let asset = furnish(&Request { name: "it", category, features, size: Some(size), ..Request::default() });
+        let asset =
+            furnish(&AssetRequest { name: "it", category, features, size: Some(size), ..AssetRequest::default() });
         if !asset.joints.is_empty() {
             let (pos, rot) = (Vec3::zeros(), Vec3::zeros());
             return Placement {

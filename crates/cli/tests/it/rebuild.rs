@@ -8,7 +8,7 @@ use scenelang_export::OutFile;
 use scenelang_export::glb::Glb;
 use scenelang_export::unity::Unity;
 use scenelang_synth::rebuild::{Known, Manifest, State, own_names, planned, sum};
-use scenelang_synth::{Hold, Observer, Request, Stage, own_files, program_files, scene, solve};
+use scenelang_synth::{Hold, LayoutRequest, Observer, Stage, own_files, program_files, scene, solve};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -438,7 +438,7 @@ fn steps<'a>(folder: &Folder, keep: &'a mut Vec<OutFile>) -> Steps<'a> {
     let manifest = Manifest::of(&out);
     let known = manifest.scene("room");
     let before = known.layout(&out);
-    let request = Request {
+    let request = LayoutRequest {
         name: "room.scene",
         path: &path,
         files: &Door::of(&path),

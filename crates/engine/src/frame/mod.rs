@@ -7,7 +7,7 @@ pub mod rules;
 pub mod terms;
 
 use crate::Index;
-use rules::{Fixed, Rules, Sets, Source};
+use rules::{Fixed, RuleSource, Rules, Sets};
 use rustc_hash::FxHashMap;
 use scenelang_lang::Program;
 use scenelang_lang::program::{
@@ -115,11 +115,11 @@ impl<'a> Frame<'a> {
             index,
             related: related(&terms, n),
             siblings: siblings(program),
-            followers: objects.clone().map(|o| rules.after(Source::Object(o))).collect(),
+            followers: objects.clone().map(|o| rules.after(RuleSource::Object(o))).collect(),
             region_followers: (0..program.regions.len() as u32)
-                .map(|r| rules.after(Source::Region(RegionId(r))))
+                .map(|r| rules.after(RuleSource::Region(RegionId(r))))
                 .collect(),
-            variable_followers: variables(program).map(|v| rules.after(Source::Variable(v))).collect(),
+            variable_followers: variables(program).map(|v| rules.after(RuleSource::Variable(v))).collect(),
             sources: objects.map(|o| rules.sources(o)).collect(),
             tilts: tilts(&terms, &rules, n),
             rules,

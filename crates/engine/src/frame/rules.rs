@@ -109,7 +109,7 @@ pub fn pins(program: &Program) -> Vec<Rule> {
 
 /// Something that a rule can read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Source {
+pub enum RuleSource {
     /// An object.
     Object(ObjectId),
     /// A region.
@@ -165,19 +165,19 @@ impl Rules {
     }
 
     /// Rules that must be obeyed again when something changes, in order.
-    pub fn after(&self, start: Source) -> Vec<usize> {
-        let mut changed: FxHashSet<Source> = FxHashSet::default();
+    pub fn after(&self, start: RuleSource) -> Vec<usize> {
+        let mut changed: FxHashSet<RuleSource> = FxHashSet::default();
         changed.insert(start);
         let mut found = Vec::new();
         for (index, rule) in self.list.iter().enumerate() {
             let reads = &rule.reads;
-            let objects = reads.objects.iter().map(|o| Source::Object(*o));
-            let regions = reads.regions.iter().map(|r| Source::Region(*r));
-            let mut all = objects.chain(regions).chain(reads.variables.iter().map(|v| Source::Variable(*v)));
+            let objects = reads.objects.iter().map(|o| RuleSource::Object(*o));
+            let regions = reads.regions.iter().map(|r| RuleSource::Region(*r));
+            let mut all = objects.chain(regions).chain(reads.variables.iter().map(|v| RuleSource::Variable(*v)));
             // An object's own move may upset a coordinate that is set in relation to the rest of it.
             let relative = matches!(rule.sets, Sets::Axis(..) | Sets::Shift(_));
-            if relative && changed.contains(&Source::Object(rule.owner)) || all.any(|s| changed.contains(&s)) {
-                changed.insert(Source::Object(rule.owner));
+            if relative && changed.contains(&RuleSource::Object(rule.owner)) || all.any(|s| changed.contains(&s)) {
+                changed.insert(RuleSource::Object(rule.owner));
                 found.push(index);
             }
         }

@@ -2,8 +2,8 @@
 
 use super::stage::Consequences;
 use scenelang_lang::program::ObjectId;
-use scenelang_verify::explain::Step;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::explain::ObjectMove;
+use scenelang_verify::report::model::RowKind;
 use std::cmp::Reverse;
 
 /// So many choices are offered.
@@ -16,7 +16,7 @@ const FARTHER: (f64, f64) = (3.0, 0.5);
 #[derive(Clone, Debug)]
 pub(super) struct Judged {
     pub cost: f64,
-    pub steps: Vec<Step>,
+    pub steps: Vec<ObjectMove>,
     pub does: Consequences,
     /// Of what is wanted, how much does not hold.
     pub open: usize,
@@ -36,7 +36,7 @@ impl Judged {
     /// Less harm first, then what leaves doors and windows alone, then what repairs more, then turns that are asked for,
     /// then the smaller one.
     pub fn better_than(&self, other: &Self) -> bool {
-        let hard = |j: &Self| j.does.repairs.iter().filter(|row| row.kind != Kind::Prefer).count();
+        let hard = |j: &Self| j.does.repairs.iter().filter(|row| row.kind != RowKind::Prefer).count();
         let key = |j: &Self| (j.harm(), j.fitting, Reverse(hard(j)), !j.directed);
         key(self) < key(other) || key(self) == key(other) && self.cost < other.cost
     }
@@ -58,7 +58,7 @@ pub(super) fn keep(best: &mut Option<Judged>, new: Option<Judged>) {
 }
 
 /// Whether a step turns its object where it stands.
-pub(super) fn is_turn(step: &Step) -> bool {
+pub(super) fn is_turn(step: &ObjectMove) -> bool {
     step.by == [0.0; 3]
 }
 

@@ -10,13 +10,13 @@
 //! harm is found first; others are moved only where that is not enough.
 
 use super::choice::{self, Judged, keep};
-use super::search::{Freedom, Search};
+use super::search::{Freedom, MoveSearch};
 use super::stage::Stage;
 use crate::rows::{Goal, row_of};
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_verify::World;
-use scenelang_verify::explain::{RowRef, SmallestMove, Step};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::explain::{ObjectMove, RowRef, SmallestMove};
+use scenelang_verify::report::model::RowKind;
 
 /// What looking for a move may cost, in small comparisons.
 const BUDGET: usize = 120_000;
@@ -33,7 +33,7 @@ const OPPOSING: usize = 3;
 
 /// What was found for a row.
 #[derive(Debug, Default)]
-pub(crate) struct Found {
+pub(crate) struct FoundMove {
     /// Moves that repair it, the best first; only the first one may break something.
     pub choices: Vec<SmallestMove>,
     pub opposing: Vec<RowRef>,
@@ -74,8 +74,8 @@ impl<'a> MoveFinder<'a> {
     }
 
     /// What there is to say of a row that fails.
-    pub fn explain(&mut self, row: RowRef, objects: &[ObjectId]) -> Found {
-        let mut found = Found::default();
+    pub fn explain(&mut self, row: RowRef, objects: &[ObjectId]) -> FoundMove {
+        let mut found = FoundMove::default();
         self.stage.set(&[]);
         let mut all = self.stage.deciding(Goal::Row(row));
         all.extend(objects);
@@ -194,7 +194,7 @@ impl<'a> MoveFinder<'a> {
     }
 
     /// Repairs the parts of a conjunction one after the other.
-    fn parts(&mut self, goal: Goal, row: RowRef, mut steps: Vec<Step>) -> Option<Judged> {
+    fn parts(&mut self, goal: Goal, row: RowRef, mut steps: Vec<ObjectMove>) -> Option<Judged> {
         let mut last = None;
         while steps.len() < STEPS && !self.stage.has_spent(self.limit) {
             self.stage.set(&steps);
@@ -217,13 +217,13 @@ impl<'a> MoveFinder<'a> {
     }
 
     /// The best move of one object that repairs a row, after some steps, and keeps what these have repaired.
-    fn one(&mut self, row: RowRef, done: &[RowRef], steps: &[Step]) -> Option<Judged> {
+    fn one(&mut self, row: RowRef, done: &[RowRef], steps: &[ObjectMove]) -> Option<Judged> {
         self.stage.set(steps);
         let mut best: Option<Judged> = None;
         for object in self.deciding(&[Goal::Row(row)]) {
             // All that fails and speaks of it, if one move repairs that.
             let mut group = vec![row];
-            if row.kind != Kind::Prefer {
+            if row.kind != RowKind::Prefer {
                 let others = self.failing.iter().copied();
                 group.extend(others.filter(|r| *r != row && !done.contains(r) && self.stage.is_about(r, object)));
             }
@@ -345,7 +345,7 @@ impl<'a> MoveFinder<'a> {
         let [pos, turn] = self.stage.pins(*object, free);
         let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
         let earlier = steps.iter().find(|s| s.object == *object).copied();
-        let from = earlier.unwrap_or(Step { object: *object, by: [0.0; 3], turn: 0.0, with: None });
+        let from = earlier.unwrap_or(ObjectMove { object: *object, by: [0.0; 3], turn: 0.0, with: None });
         self.stage.set(steps);
         let asked: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
         let asked = if asked.is_empty() { goals } else { &asked };
@@ -356,7 +356,7 @@ impl<'a> MoveFinder<'a> {
             wanting.extend(if parts.is_empty() { vec![*goal] } else { parts });
         }
         let directed = self.stage.is_about_direction(&wanting, *object);
-        let Some(search) = Search::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
+        let Some(search) = MoveSearch::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
             return Vec::new();
         };
         let search = search.directed(directed);
@@ -375,9 +375,9 @@ impl<'a> MoveFinder<'a> {
             if done[usize::from(turn)] {
                 continue;
             }
-            let along: Vec<Step> = riders.iter().filter_map(|id| self.stage.along(&step, *id)).collect();
-            let moves = |s: &Step| s.object == *object || along.iter().any(|a| a.object == s.object);
-            let mut all: Vec<Step> = steps.iter().filter(|s| !moves(s)).copied().collect();
+            let along: Vec<ObjectMove> = riders.iter().filter_map(|id| self.stage.along(&step, *id)).collect();
+            let moves = |s: &ObjectMove| s.object == *object || along.iter().any(|a| a.object == s.object);
+            let mut all: Vec<ObjectMove> = steps.iter().filter(|s| !moves(s)).copied().collect();
             all.push(step);
             all.extend(along);
             self.stage.set(&all);
@@ -413,7 +413,7 @@ struct Attempt<'t> {
     /// The rows that a move has to repair.
     rows: &'t [RowRef],
     /// What has been moved already.
-    steps: &'t [Step],
+    steps: &'t [ObjectMove],
     /// Assignments among these rows do not keep it where it is.
     free: &'t [RowRef],
     /// The work up to which it may be looked for.

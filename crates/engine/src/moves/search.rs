@@ -6,7 +6,7 @@ use super::stage::Stage;
 use crate::pose::half_turn;
 use crate::rows::Goal;
 use scenelang_lang::program::{ObjectId, Unit};
-use scenelang_verify::explain::Step;
+use scenelang_verify::explain::ObjectMove;
 
 /// Sweeps over the goals that fail, each with a step down its slope.
 const SWEEPS: usize = 30;
@@ -47,12 +47,12 @@ const NEARLY_SQUARE: f64 = 20.0;
 type Move = [f64; 4];
 
 /// Looks for moves of one object, with what goes along with it.
-pub(super) struct Search<'s, 'a> {
+pub(super) struct MoveSearch<'s, 'a> {
     stage: &'s mut Stage<'a>,
     /// What is to hold, the cheapest first.
     goals: Vec<Goal>,
     /// Where the object has been moved to already.
-    from: Step,
+    from: ObjectMove,
     /// What goes along.
     riders: &'s [ObjectId],
     freedom: Freedom,
@@ -67,11 +67,11 @@ pub(super) struct Search<'s, 'a> {
     directed: bool,
 }
 
-impl<'s, 'a> Search<'s, 'a> {
+impl<'s, 'a> MoveSearch<'s, 'a> {
     pub fn new(
         stage: &'s mut Stage<'a>,
         goals: &[Goal],
-        (from, riders): (Step, &'s [ObjectId]),
+        (from, riders): (ObjectMove, &'s [ObjectId]),
         freedom: Freedom,
         limit: usize,
     ) -> Option<Self> {
@@ -88,13 +88,13 @@ impl<'s, 'a> Search<'s, 'a> {
     }
 
     /// How far the farthest point of the object travels at most (metres), by its weight.
-    fn cost(&self, step: &Step) -> f64 {
+    fn cost(&self, step: &ObjectMove) -> f64 {
         let [x, y, z] = step.by;
         (x.hypot(y).hypot(z) + step.turn.abs() * self.per_degree) * self.weight
     }
 
     /// What was found from where the object is, rounded to what can be said; the smallest first.
-    pub fn near(mut self) -> Vec<(f64, Step)> {
+    pub fn near(mut self) -> Vec<(f64, ObjectMove)> {
         let mut found: Vec<Move> = Vec::new();
         for mask in self.masks() {
             found.extend(self.descend([0.0; 4], *mask));
@@ -155,7 +155,7 @@ impl<'s, 'a> Search<'s, 'a> {
     }
 
     /// What was found from places farther off.
-    pub fn far(mut self) -> Vec<(f64, Step)> {
+    pub fn far(mut self) -> Vec<(f64, ObjectMove)> {
         let mut ranked: Vec<(f64, Move)> = Vec::new();
         for start in self.starts() {
             if self.spent() {
@@ -187,13 +187,13 @@ impl<'s, 'a> Search<'s, 'a> {
     }
 
     /// Moves in few and round numbers, the smallest first.
-    fn in_words(mut self, found: Vec<Move>) -> Vec<(f64, Step)> {
+    fn in_words(mut self, found: Vec<Move>) -> Vec<(f64, ObjectMove)> {
         // What was found is put into words even if nothing more may be looked for.
         if self.dear {
             self.limit += 24 * self.goals.iter().map(|goal| self.stage.cost(*goal)).sum::<usize>();
         }
         let tidy: Vec<Move> = found.into_iter().map(|m| self.tidied(m)).collect();
-        let mut out: Vec<(f64, Step)> = Vec::new();
+        let mut out: Vec<(f64, ObjectMove)> = Vec::new();
         for step in tidy.iter().map(|m| self.step(m)) {
             if !out.iter().any(|(_, other)| *other == step) {
                 out.push((self.cost(&step), step));
@@ -270,9 +270,9 @@ impl<'s, 'a> Search<'s, 'a> {
         sum
     }
 
-    fn step(&self, m: &Move) -> Step {
+    fn step(&self, m: &Move) -> ObjectMove {
         let by = std::array::from_fn(|i| self.from.by[i] + m[i]);
-        Step { object: self.from.object, by, turn: self.from.turn + m[3], with: None }
+        ObjectMove { object: self.from.object, by, turn: self.from.turn + m[3], with: None }
     }
 
     /// So often a length is halved: to the tenth of a millimetre or, where that is dear, to some centimetres.

@@ -10,9 +10,9 @@ use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program};
 use scenelang_layout::Aabb;
 use scenelang_verify::check::Subject;
-use scenelang_verify::explain::{RowRef, Step};
+use scenelang_verify::explain::{ObjectMove, RowRef};
 use scenelang_verify::opening::Met;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::rules::{Scope, Support, open, support};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Dual, Scratch, Truth, Value, World, in_the_way, objects_of};
@@ -35,7 +35,7 @@ pub(super) struct Consequences {
 impl Consequences {
     /// How many hard rows break, then how many preferences.
     pub fn harm(&self) -> (usize, usize) {
-        let soft = self.breaks.iter().filter(|row| row.kind == Kind::Prefer).count();
+        let soft = self.breaks.iter().filter(|row| row.kind == RowKind::Prefer).count();
         (self.breaks.len() - soft, soft)
     }
 }
@@ -97,7 +97,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Moves an object from where the layout has it.
-    pub fn put(&mut self, step: &Step) {
+    pub fn put(&mut self, step: &ObjectMove) {
         let Some(mut pose) = self.state.home(step.object) else { return };
         (0..3).for_each(|i| pose.pos[i] += step.by[i]);
         pose.rot.y += step.turn;
@@ -105,7 +105,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The same, and with it what goes along.
-    pub fn put_with(&mut self, step: &Step, riders: &[ObjectId]) {
+    pub fn put_with(&mut self, step: &ObjectMove, riders: &[ObjectId]) {
         self.put(step);
         for &rider in riders {
             if let Some(step) = self.along(step, rider) {
@@ -115,18 +115,18 @@ impl<'a> Stage<'a> {
     }
 
     /// The step of an object that goes along with another.
-    pub fn along(&self, leader: &Step, object: ObjectId) -> Option<Step> {
+    pub fn along(&self, leader: &ObjectMove, object: ObjectId) -> Option<ObjectMove> {
         let place = |id: ObjectId| self.state.home(id).map(|pose| pose.pos);
         let (pivot, pos) = (place(leader.object)?, place(object)?);
         let (sin, cos) = scenelang_layout::rotation::sin_cos(leader.turn);
         let (x, z) = (pos[0] - pivot[0], pos[2] - pivot[2]);
         let [bx, by, bz] = leader.by;
         let by = [bx + cos * x + sin * z - x, by, bz + cos * z - sin * x - z];
-        Some(Step { object, by, turn: leader.turn, with: Some(leader.object) })
+        Some(ObjectMove { object, by, turn: leader.turn, with: Some(leader.object) })
     }
 
     /// Puts everything back, then these elsewhere.
-    pub fn set(&mut self, steps: &[Step]) {
+    pub fn set(&mut self, steps: &[ObjectMove]) {
         self.state.undo();
         steps.iter().for_each(|step| self.put(step));
     }
@@ -237,7 +237,7 @@ impl<'a> Stage<'a> {
     fn is_about_height(&self, goal: Goal, object: ObjectId) -> bool {
         use ObjectProperty::{Bottom, Surface, Top};
         match (goal, self.formula(goal)) {
-            (Goal::Row(RowRef { kind: Kind::Support, subject }), _) => subject == Subject::Object(object),
+            (Goal::Row(RowRef { kind: RowKind::Support, subject }), _) => subject == Subject::Object(object),
             (_, Some((_, formula, from))) => {
                 let nodes = scenelang_verify::cone(formula, from);
                 let reads = |of: &dyn Fn(&ObjectProperty, &ObjectId) -> bool| {
@@ -286,9 +286,9 @@ impl<'a> Stage<'a> {
             self.index.touched_by(&[object]).into_iter().map(|i| row_of(self.program, i)).collect();
         if self.world().options.physics {
             let own = Subject::Object(object);
-            rows.push(RowRef { kind: Kind::Support, subject: own });
+            rows.push(RowRef { kind: RowKind::Support, subject: own });
             if !self.program.regions.is_empty() && self.scope.bounds(object) {
-                rows.push(RowRef { kind: Kind::Bounds, subject: own });
+                rows.push(RowRef { kind: RowKind::Bounds, subject: own });
             }
             rows.extend(self.opening(object));
         }
@@ -330,8 +330,8 @@ impl<'a> Stage<'a> {
     pub fn cost(&self, goal: Goal) -> usize {
         match goal {
             Goal::Part(index, _) | Goal::Row(RowRef { subject: Subject::Statement(index), .. }) => self.costs[index],
-            Goal::Row(RowRef { kind: Kind::Open, .. }) => 60 + self.program.objects.len() / 8,
-            Goal::Row(RowRef { kind: Kind::Support, .. }) => 4 + self.program.objects.len() / 16,
+            Goal::Row(RowRef { kind: RowKind::Open, .. }) => 60 + self.program.objects.len() / 8,
+            Goal::Row(RowRef { kind: RowKind::Support, .. }) => 4 + self.program.objects.len() / 16,
             Goal::Row(_) => 2,
         }
     }
@@ -434,7 +434,7 @@ impl<'a> Stage<'a> {
                 _ => {}
             }
         }
-        let order = |row: &RowRef| (row.kind == Kind::Prefer, *row);
+        let order = |row: &RowRef| (row.kind == RowKind::Prefer, *row);
         out.breaks.sort_by_key(order);
         out.repairs.sort_by_key(order);
         out.falls.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
@@ -447,13 +447,13 @@ impl<'a> Stage<'a> {
         if self.world().options.physics {
             for &id in moved {
                 if !self.program.regions.is_empty() && self.scope.bounds(id) {
-                    rows.push(RowRef { kind: Kind::Bounds, subject: Subject::Object(id) });
+                    rows.push(RowRef { kind: RowKind::Bounds, subject: Subject::Object(id) });
                 }
-                rows.push(RowRef { kind: Kind::Support, subject: Subject::Object(id) });
+                rows.push(RowRef { kind: RowKind::Support, subject: Subject::Object(id) });
                 for other in self.around(id) {
-                    rows.push(RowRef { kind: Kind::Support, subject: Subject::Object(other) });
+                    rows.push(RowRef { kind: RowKind::Support, subject: Subject::Object(other) });
                     if self.scope.collide(id, other) {
-                        rows.push(RowRef { kind: Kind::Collision, subject: self.pair(id, other) });
+                        rows.push(RowRef { kind: RowKind::Collision, subject: self.pair(id, other) });
                     }
                 }
             }
@@ -470,7 +470,7 @@ impl<'a> Stage<'a> {
     /// P-OPEN of the parts of an object that have to open.
     fn opening(&self, id: ObjectId) -> Vec<RowRef> {
         let parts = open::demands(self.world(), id).into_iter();
-        parts.map(|(part, _)| RowRef { kind: Kind::Open, subject: Subject::Part(id, part) }).collect()
+        parts.map(|(part, _)| RowRef { kind: RowKind::Open, subject: Subject::Part(id, part) }).collect()
     }
 
     /// The objects of which some part may come to open, or no longer, where these have moved.

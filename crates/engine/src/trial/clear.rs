@@ -1,8 +1,8 @@
 //! `clear` on boxes: the space on a side of a thing, what reaches into it, and the room that it must stay in.
 
-use super::rooms::Room;
+use super::rooms::RoomBox;
 use super::{Span, Trial};
-use scenelang_lang::program::{Formula, Node, Side};
+use scenelang_lang::program::{Formula, Node, ObjectSide};
 use scenelang_verify::coded::{Block, Flat};
 use scenelang_verify::{Surroundings, World, surroundings};
 
@@ -13,7 +13,7 @@ const SILL: f64 = 0.05;
 pub struct Clear {
     /// Beside what.
     pub owner: usize,
-    side: Side,
+    side: ObjectSide,
     depth: f64,
     /// A door's: how thick the wall before it may be (metres).
     wall: Option<f64>,
@@ -39,7 +39,7 @@ impl Clear {
     /// What a node of a formula says, if it asks for free space of constant depth.
     pub fn of(node: &Node, formula: &Formula, doors: &[usize], world: &World<f64>) -> Option<Self> {
         let Surroundings::Space { owner, side, depth: Some(depth) } = surroundings(formula, node) else { return None };
-        let door = matches!(side, Side::Front | Side::Behind) && doors.contains(&(owner.0 as usize));
+        let door = matches!(side, ObjectSide::Front | ObjectSide::Behind) && doors.contains(&(owner.0 as usize));
         let wall = door.then_some(2.0 * world.options.eta + world.options.tolerances.door);
         Some(Self { owner: owner.0 as usize, side, depth, wall })
     }
@@ -54,11 +54,11 @@ impl Trial<'_> {
         let beside =
             |at: [f64; 2], half: [f64; 2]| Space { flat: Flat { at: own.point(at), half, ..own }, low, high: y + h };
         Some(match clear.side {
-            Side::Front => beside([0.0, (d + depth) / 2.0], [w / 2.0, depth / 2.0]),
-            Side::Behind => beside([0.0, -(d + depth) / 2.0], [w / 2.0, depth / 2.0]),
-            Side::Left => beside([-(w + depth) / 2.0, 0.0], [depth / 2.0, d / 2.0]),
-            Side::Right => beside([(w + depth) / 2.0, 0.0], [depth / 2.0, d / 2.0]),
-            Side::Above => Space { flat: own, low: y + h, high: y + h + depth },
+            ObjectSide::Front => beside([0.0, (d + depth) / 2.0], [w / 2.0, depth / 2.0]),
+            ObjectSide::Behind => beside([0.0, -(d + depth) / 2.0], [w / 2.0, depth / 2.0]),
+            ObjectSide::Left => beside([-(w + depth) / 2.0, 0.0], [depth / 2.0, d / 2.0]),
+            ObjectSide::Right => beside([(w + depth) / 2.0, 0.0], [depth / 2.0, d / 2.0]),
+            ObjectSide::Above => Space { flat: own, low: y + h, high: y + h + depth },
         })
         .filter(|space| depth > 0.0 && space.high > space.low)
     }
@@ -115,7 +115,7 @@ impl Trial<'_> {
     fn room_left(&self, clear: &Clear, space: &Space) -> Option<f64> {
         let own = self.flat(clear.owner);
         if let Some(wall) = clear.wall {
-            let sign = if clear.side == Side::Front { 1.0 } else { -1.0 };
+            let sign = if clear.side == ObjectSide::Front { 1.0 } else { -1.0 };
             let beyond = own.point([0.0, sign * (own.half[1] + wall)]);
             let rooms = self.rooms.iter().map(|room| (room.depth(beyond), room));
             let (_, room) = rooms.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(d, _)| *d >= -self.tolerances.contact)?;
@@ -129,7 +129,7 @@ impl Trial<'_> {
             return Some(room.aside(&rest.span(), || rest.flat).min(room.ceiling - space.high));
         }
         let span = &self.span[clear.owner];
-        let key = |room: &Room| {
+        let key = |room: &RoomBox| {
             let aside = room.aside(span, || own);
             let least = aside.min(span.min[1] - room.floor).min(room.ceiling - span.max[1]);
             let [least, aside] = [(least + self.tolerances.contact).min(0.0), aside].map(|m| (m * 1e6).round());

@@ -41,7 +41,7 @@ pub(super) enum Leaf {
 
 /// What a term looks at beside its own objects.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Look {
+pub(super) enum Dependence {
     /// The space beside a thing.
     Space(Clear),
     /// What the movable parts of a thing reach.
@@ -56,7 +56,7 @@ pub struct Mixed {
     code: Coded,
     leaves: Vec<(NodeId, Leaf)>,
     /// `None`: everything.
-    looks: Option<Vec<Look>>,
+    looks: Option<Vec<Dependence>>,
     /// What judging it takes.
     price: u64,
 }
@@ -75,7 +75,7 @@ impl Mixed {
         let leaf = |&node: &NodeId| {
             if let Some(clear) = clear(formula.node(node), formula) {
                 price += 4 + objects as u64 / 8;
-                looks.iter_mut().for_each(|l| l.push(Look::Space(clear)));
+                looks.iter_mut().for_each(|l| l.push(Dependence::Space(clear)));
                 return (node, Leaf::Space(clear));
             }
             let nodes = cone(formula, node);
@@ -90,11 +90,11 @@ impl Mixed {
                     Surroundings::Nothing | Surroundings::Path { .. } => {}
                     Surroundings::Sight { from, to } => {
                         price += objects as u64;
-                        looks.iter_mut().for_each(|l| l.push(Look::Sight(from.0 as usize, to.0 as usize)));
+                        looks.iter_mut().for_each(|l| l.push(Dependence::Sight(from.0 as usize, to.0 as usize)));
                     }
                     Surroundings::Swing { owner } => {
                         swings += 1;
-                        looks.iter_mut().for_each(|l| l.push(Look::Swing(owner.0 as usize)));
+                        looks.iter_mut().for_each(|l| l.push(Dependence::Swing(owner.0 as usize)));
                     }
                     Surroundings::Space { .. } => {
                         price += 8 * objects as u64;
@@ -168,13 +168,13 @@ impl Instance {
 }
 
 /// Truths of code that has run, and those that were found otherwise.
-pub(super) struct Found<'r> {
+pub(super) struct KnownTruths<'r> {
     code: &'r Coded,
     slots: &'r Slots,
     others: &'r [(NodeId, Truth<f64>)],
 }
 
-impl Truths<f64> for Found<'_> {
+impl Truths<f64> for KnownTruths<'_> {
     fn truth(&self, node: NodeId) -> Option<Truth<f64>> {
         let other = self.others.iter().find(|(n, _)| *n == node).map(|(_, truth)| *truth);
         other.or_else(|| self.code.truth(node, self.slots))
@@ -227,7 +227,7 @@ impl Trial<'_> {
     }
 
     /// Judges such a term, and asks something of what came of it.
-    pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Penalty<'_, f64, Found<'_>>)) {
+    pub(super) fn mixed_with(&mut self, t: usize, ask: impl FnOnce(&Penalty<'_, f64, KnownTruths<'_>>)) {
         let judge = std::mem::replace(&mut self.judges[t], Judge::Absent);
         if let Judge::Mixed(mixed) = &judge {
             let formula = &self.frame.terms[t].formula;
@@ -238,7 +238,7 @@ impl Trial<'_> {
                 truths.extend(self.truth_of(formula, leaf).map(|truth| (*node, truth)));
             }
             mixed.code.run(&mut self.slots);
-            let values = Found { code: &mixed.code, slots: &self.slots, others: &truths };
+            let values = KnownTruths { code: &mixed.code, slots: &self.slots, others: &truths };
             ask(&Penalty { formula, values: &values, tolerances: &self.tolerances, numbers: PhantomData });
             self.instance.truths = truths;
         }
@@ -281,11 +281,11 @@ impl Trial<'_> {
         }
     }
 
-    fn span_of(&self, look: &Look) -> Option<Span> {
+    fn span_of(&self, look: &Dependence) -> Option<Span> {
         match look {
-            Look::Space(clear) => self.space_span(clear),
-            Look::Swing(i) => self.swing_span(*i),
-            Look::Sight(a, b) => {
+            Dependence::Space(clear) => self.space_span(clear),
+            Dependence::Swing(i) => self.swing_span(*i),
+            Dependence::Sight(a, b) => {
                 // A little more than the segment between the centres: what comes nearer than the tolerance counts.
                 let ends = [*a, *b].map(|i| {
                     let [x, y, z, ..] = self.inputs(i);

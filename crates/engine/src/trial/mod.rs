@@ -30,7 +30,7 @@ use lean::Lean;
 pub use moves::{Moved, carried};
 use near::Near;
 pub use paths::{PathGroup, Plans};
-pub use rooms::{Field, Room, Stretch, Wall, stretches};
+pub use rooms::{Field, RoomBox, Stretch, Wall, stretches};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, INPUTS, Slots};
@@ -155,7 +155,7 @@ pub struct Trial<'a> {
     /// By object: whether P-BOUNDS speaks of it and no term says the same.
     pub bounded: Vec<bool>,
     /// The regions.
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<RoomBox>,
     /// The floor of all rooms, if they share one.
     floor: Option<f64>,
     /// Objects that are doors, and how far their openings reach beyond them.
@@ -224,7 +224,7 @@ pub struct Trial<'a> {
 }
 
 /// The height of the floors, if all rooms have the same.
-fn common_floor(rooms: &[Room]) -> Option<f64> {
+fn common_floor(rooms: &[RoomBox]) -> Option<f64> {
     let level = rooms.first().map_or(0.0, |room| room.floor);
     rooms.iter().all(|room| room.floor == level).then_some(level)
 }
@@ -237,7 +237,7 @@ impl<'a> Trial<'a> {
         let still = |id: ObjectId| !frame.is_movable(id) && frame.sources[id.0 as usize].is_empty();
         let leans = lean::leaning(frame, world, tips);
         let stands = |id: ObjectId| !leans[id.0 as usize];
-        let rooms: Vec<Room> = world.prisms().filter_map(|(id, prism)| Room::new(id, prism)).collect();
+        let rooms: Vec<RoomBox> = world.prisms().filter_map(|(id, prism)| RoomBox::new(id, prism)).collect();
         let floor = common_floor(&rooms);
         let doors: Vec<usize> = frame.program.allow.doors.iter().map(|door| door.object.0 as usize).collect();
         let mut coder = Coder::new(frame.program, world, &still, &stands);

@@ -90,7 +90,7 @@ impl Wall {
 
 /// A region.
 #[derive(Clone, Debug)]
-pub struct Room {
+pub struct RoomBox {
     /// Which.
     pub id: RegionId,
     /// The rectangle around it.
@@ -107,7 +107,7 @@ pub struct Room {
     pub walls: Vec<Wall>,
 }
 
-impl Room {
+impl RoomBox {
     /// That of a prism; `None`: it has no corners.
     pub fn new(id: RegionId, prism: &Prism) -> Option<Self> {
         let field = Field::of(&prism.polygon)?;
@@ -156,7 +156,7 @@ pub struct Stretch {
 }
 
 /// The stretches of the walls of one room, or of those that two share.
-pub fn stretches(world: &World<f64>, first: &Room, second: Option<&Room>) -> Vec<Stretch> {
+pub fn stretches(world: &World<f64>, first: &RoomBox, second: Option<&RoomBox>) -> Vec<Stretch> {
     let Some(second) = second else {
         let behind = world.options.eta / 2.0;
         return first.walls.iter().map(|&wall| Stretch { wall, behind, floor: first.floor }).collect();

@@ -1,8 +1,8 @@
 //! What is known of terms and objects before anything moves: how each term is judged, what goes along with an object, the
 //! turns that it may have.
 
-use super::paths::Asked;
-use super::{Clear, CodedRule, Judge, Mixed, PathGroup, Room, Trial};
+use super::paths::PathRequest;
+use super::{Clear, CodedRule, Judge, Mixed, PathGroup, RoomBox, Trial};
 use crate::frame::Frame;
 use crate::frame::terms::Term;
 use crate::pose::{Pose, round_turn};
@@ -68,7 +68,7 @@ impl Trial<'_> {
     }
 
     /// The room of a region.
-    pub fn room(&self, id: RegionId) -> Option<&Room> {
+    pub fn room(&self, id: RegionId) -> Option<&RoomBox> {
         self.rooms.iter().find(|room| room.id == id)
     }
 }
@@ -166,7 +166,7 @@ pub(super) fn feet(blocks: &[Block], tolerance: f64) -> Vec<[f64; 2]> {
 /// What is known before terms are given their judges.
 pub(super) struct Known<'k> {
     pub world: &'k World<f64>,
-    pub rooms: &'k [Room],
+    pub rooms: &'k [RoomBox],
     pub doors: &'k [usize],
     /// Whether an object stands upright.
     pub stands: &'k dyn Fn(ObjectId) -> bool,
@@ -181,7 +181,7 @@ pub(super) fn judges(frame: &Frame<'_>, known: &Known<'_>, coder: &mut Coder<'_>
     let mut judges = Vec::with_capacity(frame.terms.len());
     let mut asked = Vec::new();
     for term in &frame.terms {
-        match Asked::of(judges.len(), &term.formula, (!term.is_hard()).then_some(term.constraint)) {
+        match PathRequest::of(judges.len(), &term.formula, (!term.is_hard()).then_some(term.constraint)) {
             Some(path) if known.plans && !term.sizes_only => {
                 asked.push(path);
                 judges.push(Judge::Absent);
@@ -190,7 +190,7 @@ pub(super) fn judges(frame: &Frame<'_>, known: &Known<'_>, coder: &mut Coder<'_>
         }
     }
     let mut groups = Vec::new();
-    for (index, (group, terms)) in Asked::together(&asked, known.world).into_iter().enumerate() {
+    for (index, (group, terms)) in PathRequest::together(&asked, known.world).into_iter().enumerate() {
         terms.iter().for_each(|&t| judges[t] = Judge::Shared(index));
         judges[terms[0]] = Judge::PathGroup(index);
         groups.push(group);

@@ -3,7 +3,7 @@
 //! it sees differently is asked of it from then on.
 
 use super::evaluator::CLEARANCE;
-use super::{Room, Span, Trial};
+use super::{RoomBox, Span, Trial};
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, Unit};
 use scenelang_layout::rotation::sin_cos;
 use scenelang_layout::{Joint, Motion, Moving, Vec3, convex};
@@ -124,7 +124,7 @@ impl Trial<'_> {
             let bars = |&j: &usize| !self.away[j] && self.span[j].meets(&around) && !self.goes_along(j, i);
             let near: Vec<usize> = reach.others.iter().copied().filter(bars).collect();
             let (own, y) = (self.flat(i), self.inputs(i)[1]);
-            let walls: Vec<&Room> = match self.doors.contains(&i) {
+            let walls: Vec<&RoomBox> = match self.doors.contains(&i) {
                 true => Vec::new(),
                 false => self.rooms.iter().filter(|room| room.depth(own.at) >= 0.0).collect(),
             };

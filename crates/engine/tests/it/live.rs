@@ -6,7 +6,7 @@ use scenelang_engine::{Batch, Live};
 use scenelang_lang::compile_text;
 use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Joint, Layout, Motion, Part, Placement, Vec3};
-use scenelang_verify::{Detail, Explain, Opens, Options, Verdict, check};
+use scenelang_verify::{CheckVerdict, Detail, Explain, Opens, Options, check};
 use std::path::Path;
 
 const WORKSHOP: &str = include_str!("../../../../examples/workshop-safety.scene");
@@ -54,7 +54,7 @@ impl Dice {
 }
 
 /// A verdict as text, to the last digit.
-fn said(verdict: &Verdict) -> String {
+fn said(verdict: &CheckVerdict) -> String {
     format!("{:#?}", (&verdict.rows, &verdict.summary, &verdict.diagnostics))
 }
 

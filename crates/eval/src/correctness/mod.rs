@@ -40,7 +40,7 @@ pub fn satisfied(program: &Program, layout: &Layout) -> Satisfied {
     let asked = verdict
         .rows
         .iter()
-        .filter(|row| row.kind == scenelang_verify::report::model::Kind::Assert && is_stated(row.subject));
+        .filter(|row| row.kind == scenelang_verify::report::model::RowKind::Assert && is_stated(row.subject));
     let stated = Share::of(asked, |row| row.satisfied == Some(true));
     let summary = verdict.summary;
     let counts = [summary.assertions, summary.pins, summary.physical];

@@ -5,13 +5,13 @@ use scenelang_lang::nouns::{Stands, noun};
 
 /// How a thing looks; what is empty is not said.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Look {
+pub(crate) struct ThingLook {
     pub colour: &'static str,
     pub material: &'static str,
     pub feature: &'static str,
 }
 
-impl Look {
+impl ThingLook {
     /// The adjectives in their order, each with a blank after it.
     pub fn before(&self) -> String {
         [self.colour, self.material].iter().filter(|w| !w.is_empty()).map(|w| format!("{w} ")).collect()
@@ -64,7 +64,7 @@ const SAT_ON: [&str; 12] =
 const GROWS: [&str; 2] = ["plant", "box"];
 
 /// Draws how a thing looks.
-pub(crate) fn look(dice: &mut Dice, name: &str) -> Look {
+pub(crate) fn look(dice: &mut Dice, name: &str) -> ThingLook {
     let last = name.rsplit(' ').next().unwrap_or(name);
     let stands = noun(name).map_or(Stands::Floor, |n| n.stands);
     let (materials, features): (&[&str], &[&str]) = match stands {
@@ -76,9 +76,9 @@ pub(crate) fn look(dice: &mut Dice, name: &str) -> Look {
     let [colour, material, feature] = [dice.chance(0.6), dice.chance(0.5), dice.chance(0.3)];
     // Each draw is made whether it counts or not, so that the stream of numbers does not depend on the noun.
     let one = [&COLOURS[..], materials, features].map(|words| *dice.one(words));
-    let drawn = Look { colour: one[0], material: one[1], feature: one[2] };
+    let drawn = ThingLook { colour: one[0], material: one[1], feature: one[2] };
     let some = |is: bool, word: &'static str| if is && !GROWS.contains(&last) { word } else { "" };
-    Look {
+    ThingLook {
         colour: some(colour, drawn.colour),
         material: some(material, drawn.material),
         feature: some(feature, drawn.feature),

@@ -17,14 +17,14 @@ mod statistics;
 mod tell;
 
 pub(crate) use dice::Dice;
-pub use record::{Connection, Held, Object, Relation, Room, Scene, parse};
+pub use record::{Connection, DatasetScene, Held, Object, Relation, RoomRecord, parse};
 pub use statistics::{PUBLISHED, Statistics};
 
 use crate::correctness::{laid_out, satisfied};
 
-use program::{Names, program, stated};
+use program::{ProgramNames, program, stated};
 use scenelang_solve::Stop;
-use tell::{Told, tell};
+use tell::{SceneWords, tell};
 
 /// What a record calls itself.
 pub const FORMAT: &str = "scenelang.dataset/1";
@@ -34,9 +34,9 @@ pub const SCHEMA: &str = include_str!("../../schemas/dataset.json");
 const WORDS: u64 = 1 << 32;
 
 /// A scene of the dataset, without its layout.
-pub fn scene(seed: u64, number: u64) -> Scene {
+pub fn scene(seed: u64, number: u64) -> DatasetScene {
     let plan = plan::plan(seed, number);
-    let names = Names::new(&plan);
+    let names = ProgramNames::new(&plan);
     let stated = stated(&plan, &names);
     let told = tell(&mut Dice::new(seed, WORDS + number), &plan, &stated);
     let program = program(&plan, &names, &stated, &told.sentences);
@@ -48,7 +48,7 @@ pub fn scene(seed: u64, number: u64) -> Scene {
 ///
 /// # Errors
 /// Its program does not compile.
-pub fn solved(seed: u64, number: u64, stop: &Stop) -> Result<Scene, String> {
+pub fn solved(seed: u64, number: u64, stop: &Stop) -> Result<DatasetScene, String> {
     let mut scene = scene(seed, number);
     let laid = laid_out(&scene.program, seed, stop).map_err(|why| format!("the program of {}: {why}", scene.id))?;
     let held = satisfied(&laid.program, &laid.layout);
@@ -61,7 +61,7 @@ pub fn solved(seed: u64, number: u64, stop: &Stop) -> Result<Scene, String> {
 /// The request of a scene with `_` for whatever is filled in: two requests of one skeleton differ in words only.
 pub fn skeleton(seed: u64, number: u64) -> String {
     let plan = plan::plan(seed, number);
-    let names = Names::new(&plan);
-    let Told { skeleton, .. } = tell(&mut Dice::new(seed, WORDS + number), &plan, &stated(&plan, &names));
+    let names = ProgramNames::new(&plan);
+    let SceneWords { skeleton, .. } = tell(&mut Dice::new(seed, WORDS + number), &plan, &stated(&plan, &names));
     skeleton
 }

@@ -2,8 +2,8 @@
 //! and connections, what is in them, and what is said of its places.
 
 use super::dice::Dice;
-use super::looks::{Look, look};
-use super::pools::{Building, Item, Kind, Place, tables};
+use super::looks::{ThingLook, look};
+use super::pools::{Building, Item, RoomPool, ThingPlace, tables};
 use scenelang_lang::library::usual_size;
 use scenelang_lang::nouns::{Stands, noun};
 
@@ -30,16 +30,16 @@ const RELATIONS: f64 = 0.88;
 #[derive(Debug)]
 pub(crate) struct Plan {
     pub building: &'static str,
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<PlannedRoom>,
     /// Room by room, what others refer to before them.
-    pub things: Vec<Thing>,
+    pub things: Vec<PlannedThing>,
     pub links: Vec<Link>,
     /// What is said of places, beyond what the things themselves say.
     pub extras: Vec<Extra>,
 }
 
 #[derive(Debug)]
-pub(crate) struct Room {
+pub(crate) struct PlannedRoom {
     pub kind: &'static str,
     /// Width, height, depth.
     pub size: [f64; 3],
@@ -48,14 +48,14 @@ pub(crate) struct Room {
 }
 
 #[derive(Debug)]
-pub(crate) struct Thing {
+pub(crate) struct PlannedThing {
     pub room: usize,
     pub noun: &'static str,
     pub count: u32,
-    pub place: Place,
+    pub place: ThingPlace,
     /// The thing that the place refers to: an index into the things.
     pub other: Option<usize>,
-    pub look: Look,
+    pub look: ThingLook,
     pub size: [f64; 3],
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Thing {
 pub(crate) struct Link {
     pub noun: &'static str,
     pub size: [f64; 3],
-    pub look: Look,
+    pub look: ThingLook,
     /// A room, and the other one; `None`: outside.
     pub between: (usize, Option<usize>),
 }
@@ -104,18 +104,18 @@ impl ExtraKind {
     }
 }
 
-impl Thing {
+impl PlannedThing {
     /// Whether it stands on the floor.
     fn on_floor(&self) -> bool {
-        !matches!(self.place, Place::Hung | Place::Ceiling | Place::Over(_) | Place::On(_))
+        !matches!(self.place, ThingPlace::Hung | ThingPlace::Ceiling | ThingPlace::Over(_) | ThingPlace::On(_))
     }
 
     /// How many relations its place says: one for each of it, but for what stands anywhere, and a row.
     pub fn relations(&self) -> usize {
         match self.place {
-            Place::Floor => 0,
-            Place::Row => 1,
-            Place::Around(_) => self.count as usize + usize::from(self.count > 1),
+            ThingPlace::Floor => 0,
+            ThingPlace::Row => 1,
+            ThingPlace::Around(_) => self.count as usize + usize::from(self.count > 1),
             _ => self.count as usize,
         }
     }
@@ -135,7 +135,7 @@ pub(crate) fn plan(seed: u64, number: u64) -> Plan {
         furnish(&mut dice, &mut plan.things, room, kind);
         let attributes = attributes(&mut dice);
         let size = measure(&mut dice, &plan.things[begun..]);
-        plan.rooms.push(Room { kind: kind.name, size, attributes });
+        plan.rooms.push(PlannedRoom { kind: kind.name, size, attributes });
         relate(&mut dice, &mut plan, begun);
     }
     if let [first, second] = plan.rooms.as_mut_slice() {
@@ -148,8 +148,8 @@ pub(crate) fn plan(seed: u64, number: u64) -> Plan {
 }
 
 /// Kinds of rooms, no two of one name.
-fn kinds<'a>(dice: &mut Dice, building: &'a Building, count: usize) -> Vec<&'a Kind> {
-    let mut all: Vec<&Kind> = building.kinds.iter().collect();
+fn kinds<'a>(dice: &mut Dice, building: &'a Building, count: usize) -> Vec<&'a RoomPool> {
+    let mut all: Vec<&RoomPool> = building.kinds.iter().collect();
     dice.shuffle(&mut all);
     all.truncate(count);
     all
@@ -163,10 +163,10 @@ fn attributes(dice: &mut Dice) -> Vec<(&'static str, &'static str, &'static str)
 }
 
 /// What a room has.
-fn furnish(dice: &mut Dice, things: &mut Vec<Thing>, room: usize, kind: &Kind) {
+fn furnish(dice: &mut Dice, things: &mut Vec<PlannedThing>, room: usize, kind: &RoomPool) {
     let begun = things.len();
     let wanted = dice.between(THINGS[0], THINGS[1]) as u32;
-    let add = |dice: &mut Dice, things: &mut Vec<Thing>, items: &[Item]| {
+    let add = |dice: &mut Dice, things: &mut Vec<PlannedThing>, items: &[Item]| {
         for item in items {
             if things[begun..].iter().all(|thing| thing.noun != item.noun)
                 && let Some(thing) = draw(dice, things, begun, room, item)
@@ -187,7 +187,7 @@ fn furnish(dice: &mut Dice, things: &mut Vec<Thing>, room: usize, kind: &Kind) {
 }
 
 /// A thing of the inventory; `None`: the draw has left it out, or there is no place for it.
-fn draw(dice: &mut Dice, things: &[Thing], begun: usize, room: usize, item: &Item) -> Option<Thing> {
+fn draw(dice: &mut Dice, things: &[PlannedThing], begun: usize, room: usize, item: &Item) -> Option<PlannedThing> {
     let size = usual_size(item.noun)?;
     let mut count = item.most;
     if dice.chance(REDUCED) {
@@ -198,20 +198,20 @@ fn draw(dice: &mut Dice, things: &[Thing], begun: usize, room: usize, item: &Ite
         Some(noun) => Some(begun + things[begun..].iter().position(|thing| thing.noun == noun)?),
         None => None,
     };
-    let corners = things[begun..].iter().filter(|t| t.place == Place::Corner).map(|t| t.count).sum::<u32>();
+    let corners = things[begun..].iter().filter(|t| t.place == ThingPlace::Corner).map(|t| t.count).sum::<u32>();
     let most = match (item.place, other.map(|i| &things[i])) {
-        (Place::Corner, _) => 4 - corners.min(4),
-        (Place::Middle, _) => u32::from(things[begun..].iter().all(|t| t.place != Place::Middle)),
-        (Place::On(_), Some(below)) => fitting(things, begun, size, below) * below.count,
-        (Place::At(_), Some(at)) => at.count,
-        (Place::Around(_), Some(at)) if at.count > 1 => 0,
-        (Place::Beside(_), Some(at)) => 2 * at.count,
-        (Place::Before(_) | Place::Over(_), Some(at)) => 2 * at.count,
+        (ThingPlace::Corner, _) => 4 - corners.min(4),
+        (ThingPlace::Middle, _) => u32::from(things[begun..].iter().all(|t| t.place != ThingPlace::Middle)),
+        (ThingPlace::On(_), Some(below)) => fitting(things, begun, size, below) * below.count,
+        (ThingPlace::At(_), Some(at)) => at.count,
+        (ThingPlace::Around(_), Some(at)) if at.count > 1 => 0,
+        (ThingPlace::Beside(_), Some(at)) => 2 * at.count,
+        (ThingPlace::Before(_) | ThingPlace::Over(_), Some(at)) => 2 * at.count,
         _ => item.most,
     };
     count = count.min(most);
     // One thing is no row.
-    (count > u32::from(item.place == Place::Row)).then_some(Thing {
+    (count > u32::from(item.place == ThingPlace::Row)).then_some(PlannedThing {
         room,
         noun: item.noun,
         count,
@@ -223,8 +223,8 @@ fn draw(dice: &mut Dice, things: &[Thing], begun: usize, room: usize, item: &Ite
 }
 
 /// How many of a size each of these things still has a place for on its top.
-fn fitting(things: &[Thing], begun: usize, size: [f64; 3], below: &Thing) -> u32 {
-    let on = |t: &&Thing| matches!(t.place, Place::On(noun) if noun == below.noun);
+fn fitting(things: &[PlannedThing], begun: usize, size: [f64; 3], below: &PlannedThing) -> u32 {
+    let on = |t: &&PlannedThing| matches!(t.place, ThingPlace::On(noun) if noun == below.noun);
     let taken: f64 = things[begun..]
         .iter()
         .filter(on)
@@ -238,13 +238,13 @@ fn fitting(things: &[Thing], begun: usize, size: [f64; 3], below: &Thing) -> u32
 }
 
 /// Width, height and depth of a room for these things.
-fn measure(dice: &mut Dice, things: &[Thing]) -> [f64; 3] {
+fn measure(dice: &mut Dice, things: &[PlannedThing]) -> [f64; 3] {
     let floor = things.iter().filter(|t| t.on_floor());
     let area: f64 = floor.map(|t| f64::from(t.count) * t.size[0] * (t.size[2] + USED)).sum();
-    let at_walls = things.iter().filter(|t| matches!(t.place, Place::Wall | Place::Corner));
+    let at_walls = things.iter().filter(|t| matches!(t.place, ThingPlace::Wall | ThingPlace::Corner));
     let length: f64 = at_walls.map(|t| f64::from(t.count) * t.size[0]).sum();
     let aspect = dice.between(1.0, 1.6);
-    let row = things.iter().filter(|t| t.place == Place::Row).map(|t| f64::from(t.count) * (t.size[0] + 0.3));
+    let row = things.iter().filter(|t| t.place == ThingPlace::Row).map(|t| f64::from(t.count) * (t.size[0] + 0.3));
     let area = (area * FLOOR).max(12.0).max((length / WALLS / 4.0).powi(2));
     let width = (area * aspect).sqrt().max(row.fold(0.0, f64::max) + 1.0);
     let tallest = things.iter().map(|t| t.size[1]).fold(0.0, f64::max);
@@ -262,7 +262,7 @@ fn tenth(x: f64) -> f64 {
 fn relate(dice: &mut Dice, plan: &mut Plan, begun: usize) {
     let things = &plan.things[begun..];
     let wanted = things.iter().map(|t| f64::from(t.count)).sum::<f64>() * RELATIONS;
-    let mut said = things.iter().map(Thing::relations).sum::<usize>() as f64;
+    let mut said = things.iter().map(PlannedThing::relations).sum::<usize>() as f64;
     let mut free: Vec<usize> = (0..things.len()).filter(|i| things[*i].on_floor()).collect();
     dice.shuffle(&mut free);
     // What is alone, and stands by itself: "the sofa" says which.
@@ -270,7 +270,7 @@ fn relate(dice: &mut Dice, plan: &mut Plan, begun: usize) {
     while said < wanted
         && let Some(thing) = free.pop()
     {
-        let loose = matches!(things[thing].place, Place::Floor) && things[thing].count > 1;
+        let loose = matches!(things[thing].place, ThingPlace::Floor) && things[thing].count > 1;
         let distance = f64::from(4 + dice.below(7) as u32) / 10.0;
         let extra = |kind, other, distance| Extra { kind, thing: begun + thing, other, distance };
         if loose {
@@ -283,10 +283,10 @@ fn relate(dice: &mut Dice, plan: &mut Plan, begun: usize) {
         let partner = free.iter().position(|other| alone(*other));
         let of = |i: usize| begun + i;
         let kind = match dice.below(6) {
-            0 if has_front && matches!(things[thing].place, Place::Wall) => ExtraKind::Clear,
+            0 if has_front && matches!(things[thing].place, ThingPlace::Wall) => ExtraKind::Clear,
             _ if !alone(thing) => continue,
             1 => ExtraKind::Close,
-            2 if has_front && things[thing].place == Place::Floor => ExtraKind::Facing,
+            2 if has_front && things[thing].place == ThingPlace::Floor => ExtraKind::Facing,
             3 => ExtraKind::Left,
             4 => ExtraKind::Right,
             _ => ExtraKind::Far,
@@ -328,7 +328,7 @@ fn links(dice: &mut Dice, rooms: usize) -> Vec<Link> {
     for room in 0..rooms {
         if dice.chance(MORE) {
             let size = [[1.2, 1.2, 0.06], [1.5, 1.2, 0.06], [1.6, 1.4, 0.06]][dice.below(3)];
-            out.push(Link { noun: "window", size, look: Look::default(), between: (room, None) });
+            out.push(Link { noun: "window", size, look: ThingLook::default(), between: (room, None) });
         }
     }
     out

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 /// Where a thing is, with what that is said of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum ThingPlace {
     /// Its back at a wall.
     Wall,
     /// In a corner.
@@ -36,7 +36,7 @@ pub(crate) enum Place {
     Over(&'static str),
 }
 
-impl Place {
+impl ThingPlace {
     /// The noun of the other thing.
     pub fn other(self) -> Option<&'static str> {
         match self {
@@ -97,12 +97,12 @@ pub(crate) struct Item {
     /// What.
     pub noun: &'static str,
     /// Where.
-    pub place: Place,
+    pub place: ThingPlace,
 }
 
 /// A kind of room.
 #[derive(Debug)]
-pub(crate) struct Kind {
+pub(crate) struct RoomPool {
     /// What it is called.
     pub name: &'static str,
     /// Each noun once; what a thing refers to stands before it.
@@ -115,7 +115,7 @@ pub(crate) struct Building {
     /// What it is called.
     pub name: &'static str,
     /// Its rooms.
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<RoomPool>,
 }
 
 /// Something that is said of a room.
@@ -190,7 +190,7 @@ fn items(text: &'static str) -> Vec<Item> {
     let one = |text: &'static str| {
         let (count, rest) = text.trim().split_once(' ')?;
         let (noun, place) = rest.split_once(": ")?;
-        Some(Item { most: count.parse().ok()?, noun, place: Place::read(place)? })
+        Some(Item { most: count.parse().ok()?, noun, place: ThingPlace::read(place)? })
     };
     text.split(';').filter_map(one).collect()
 }
@@ -213,7 +213,7 @@ fn buildings(text: &'static str) -> Vec<Building> {
                 all.push(item);
             }
         }
-        Kind { name, items: all }
+        RoomPool { name, items: all }
     };
     let rooms = sections.iter().filter(|(name, _)| !NO_BUILDING.contains(name));
     rooms.map(|(name, of)| Building { name, kinds: lines(of).into_iter().map(kind).collect() }).collect()
@@ -262,9 +262,9 @@ mod tests {
                 for (i, item) in kind.items.iter().enumerate() {
                     let known = noun(item.noun).unwrap_or_else(|| wrong(item, "is no noun"));
                     let fits = match item.place {
-                        Place::Hung => known.stands == Stands::Wall,
-                        Place::Ceiling | Place::Over(_) => known.stands == Stands::Ceiling,
-                        Place::On(_) => matches!(known.stands, Stands::Top | Stands::Soft),
+                        ThingPlace::Hung => known.stands == Stands::Wall,
+                        ThingPlace::Ceiling | ThingPlace::Over(_) => known.stands == Stands::Ceiling,
+                        ThingPlace::On(_) => matches!(known.stands, Stands::Top | Stands::Soft),
                         _ => matches!(known.stands, Stands::Floor | Stands::Back),
                     };
                     assert!(fits && (1..=5).contains(&item.most), "{}, {}: {item:?}", building.name, kind.name);

@@ -1,8 +1,8 @@
 //! The program of a plan: the ground truth of a scene. Each relation that the request states is an assertion of its own, with
 //! the sentence that states it; the rest (which room a thing is in, doors, heights of what hangs) is stated without one.
 
-use super::plan::{Extra, ExtraKind, Link, Plan, Thing};
-use super::pools::Place;
+use super::plan::{Extra, ExtraKind, Link, Plan, PlannedThing};
+use super::pools::ThingPlace;
 use std::fmt::Write;
 
 /// Between two walls of rooms that stand side by side: each is 3 cm thick.
@@ -27,17 +27,17 @@ pub(crate) struct Stated {
 
 /// What things and rooms are called in the program.
 #[derive(Debug)]
-pub(crate) struct Names {
+pub(crate) struct ProgramNames {
     pub rooms: Vec<String>,
     pub things: Vec<String>,
     pub links: Vec<String>,
 }
 
-impl Names {
+impl ProgramNames {
     pub fn new(plan: &Plan) -> Self {
         let rooms: Vec<String> = plan.rooms.iter().map(|room| identifier(room.kind)).collect();
         let twice = |noun: &str| plan.things.iter().filter(|thing| thing.noun == noun).count() > 1;
-        let thing = |thing: &Thing| {
+        let thing = |thing: &PlannedThing| {
             let own = identifier(thing.noun);
             let is_taken = twice(thing.noun) || rooms.contains(&own);
             if is_taken { format!("{own}Of{}", capital(&rooms[thing.room])) } else { own }
@@ -74,7 +74,7 @@ fn capital(word: &str) -> String {
 }
 
 /// What the request states of places, in the order in which it does.
-pub(crate) fn stated(plan: &Plan, names: &Names) -> Vec<Stated> {
+pub(crate) fn stated(plan: &Plan, names: &ProgramNames) -> Vec<Stated> {
     let mut out = Vec::new();
     for room in 0..plan.rooms.len() {
         let things = plan.things.iter().enumerate().filter(|(_, thing)| thing.room == room);
@@ -91,27 +91,27 @@ pub(crate) fn stated(plan: &Plan, names: &Names) -> Vec<Stated> {
     out
 }
 
-fn of_place(plan: &Plan, names: &Names, i: usize, thing: &Thing) -> Vec<String> {
+fn of_place(plan: &Plan, names: &ProgramNames, i: usize, thing: &PlannedThing) -> Vec<String> {
     let room = &names.rooms[thing.room];
     let one = |nth| names.one(plan, i, nth);
     // Those of another kind are taken in turn.
     let at = |nth: u32| thing.other.map_or_else(String::new, |o| names.one(plan, o, nth % plan.things[o].count));
     let each = |formula: &dyn Fn(u32) -> String| (0..thing.count).map(formula).collect::<Vec<_>>();
     match thing.place {
-        Place::Floor => Vec::new(),
-        Place::Wall => each(&|n| format!("againstWall({}, {room})", one(n))),
-        Place::Corner => each(&|n| format!("inCorner({}, {room})", one(n))),
-        Place::Middle => each(&|n| format!("centeredIn({}, {room})", one(n))),
-        Place::Hung => each(&|n| format!("wallMounted({}, {room})", one(n))),
-        Place::Ceiling => each(&|n| format!("ceilingMounted({}, {room})", one(n))),
-        Place::Row => vec![format!("inRow({}, 0.05, 0.4)", names.things[i])],
-        Place::On(_) => each(&|n| format!("on({}, {})", one(n), at(n))),
-        Place::At(_) => each(&|n| format!("facing({0}, {1}) and near({0}, {1}, 0.4)", one(n), at(n))),
-        Place::Beside(_) => each(&|n| format!("beside({}, {})", one(n), at(n))),
-        Place::Near(_) => each(&|n| format!("near({}, {}, 1)", one(n), at(n))),
-        Place::Before(_) => each(&|n| format!("inFrontOf({0}, {1}) and near({0}, {1}, 1)", one(n), at(n))),
-        Place::Over(_) => each(&|n| format!("ceilingMounted({0}, {room}) and above({0}, {1})", one(n), at(n))),
-        Place::Around(_) => {
+        ThingPlace::Floor => Vec::new(),
+        ThingPlace::Wall => each(&|n| format!("againstWall({}, {room})", one(n))),
+        ThingPlace::Corner => each(&|n| format!("inCorner({}, {room})", one(n))),
+        ThingPlace::Middle => each(&|n| format!("centeredIn({}, {room})", one(n))),
+        ThingPlace::Hung => each(&|n| format!("wallMounted({}, {room})", one(n))),
+        ThingPlace::Ceiling => each(&|n| format!("ceilingMounted({}, {room})", one(n))),
+        ThingPlace::Row => vec![format!("inRow({}, 0.05, 0.4)", names.things[i])],
+        ThingPlace::On(_) => each(&|n| format!("on({}, {})", one(n), at(n))),
+        ThingPlace::At(_) => each(&|n| format!("facing({0}, {1}) and near({0}, {1}, 0.4)", one(n), at(n))),
+        ThingPlace::Beside(_) => each(&|n| format!("beside({}, {})", one(n), at(n))),
+        ThingPlace::Near(_) => each(&|n| format!("near({}, {}, 1)", one(n), at(n))),
+        ThingPlace::Before(_) => each(&|n| format!("inFrontOf({0}, {1}) and near({0}, {1}, 1)", one(n), at(n))),
+        ThingPlace::Over(_) => each(&|n| format!("ceilingMounted({0}, {room}) and above({0}, {1})", one(n), at(n))),
+        ThingPlace::Around(_) => {
             let mut all = each(&|n| format!("facing({0}, {1}) and near({0}, {1}, 0.6)", one(n), at(n)));
             if thing.count > 1 {
                 all.push(format!("around({}, {}, 0.6)", names.things[i], at(0)));
@@ -121,7 +121,7 @@ fn of_place(plan: &Plan, names: &Names, i: usize, thing: &Thing) -> Vec<String> 
     }
 }
 
-fn of_extra(plan: &Plan, names: &Names, extra: &Extra) -> Vec<String> {
+fn of_extra(plan: &Plan, names: &ProgramNames, extra: &Extra) -> Vec<String> {
     let (count, d) = (plan.things[extra.thing].count, extra.distance);
     let one = |nth| names.one(plan, extra.thing, nth);
     let other = extra.other.map_or_else(String::new, |other| names.one(plan, other, 0));
@@ -140,7 +140,7 @@ fn of_extra(plan: &Plan, names: &Names, extra: &Extra) -> Vec<String> {
 }
 
 /// The text of the program. `sentences` say what states each of `stated`.
-pub(crate) fn program(plan: &Plan, names: &Names, stated: &[Stated], sentences: &[String]) -> String {
+pub(crate) fn program(plan: &Plan, names: &ProgramNames, stated: &[Stated], sentences: &[String]) -> String {
     let mut out = String::new();
     rooms(plan, names, &mut out);
     for (link, name) in plan.links.iter().zip(&names.links) {
@@ -160,7 +160,7 @@ pub(crate) fn program(plan: &Plan, names: &Names, stated: &[Stated], sentences: 
 /// Where the middles of the rooms are: they stand along x, one beside the other.
 pub(super) fn middles(plan: &Plan) -> Vec<f64> {
     let mut end: Option<f64> = None;
-    let one = |room: &super::plan::Room| {
+    let one = |room: &super::plan::PlannedRoom| {
         let half = room.size[0] / 2.0;
         let x = end.map_or(0.0, |end| end + WALLS + half);
         end = Some(x + half);
@@ -169,7 +169,7 @@ pub(super) fn middles(plan: &Plan) -> Vec<f64> {
     plan.rooms.iter().map(one).collect()
 }
 
-fn rooms(plan: &Plan, names: &Names, out: &mut String) {
+fn rooms(plan: &Plan, names: &ProgramNames, out: &mut String) {
     for ((room, name), x) in plan.rooms.iter().zip(&names.rooms).zip(middles(plan)) {
         let [width, height, depth] = room.size;
         let _ = write!(out, "region {name};\n{name}.pos <- vec3({x}, 0, 0);\n");
@@ -177,7 +177,7 @@ fn rooms(plan: &Plan, names: &Names, out: &mut String) {
     }
 }
 
-fn opening(link: &Link, name: &str, names: &Names, out: &mut String) {
+fn opening(link: &Link, name: &str, names: &ProgramNames, out: &mut String) {
     let [w, h, d] = link.size;
     let _ = write!(out, "object {name};\n{name}.category <- \"{}\";\n", link.noun);
     let _ = writeln!(out, "{name}.dimensions <- vec3({w}, {h}, {d});");
@@ -203,7 +203,7 @@ fn looks(name: &str, look: [&str; 3], out: &mut String) {
     }
 }
 
-fn declaration(plan: &Plan, thing: &Thing, name: &str, names: &Names, out: &mut String) {
+fn declaration(plan: &Plan, thing: &PlannedThing, name: &str, names: &ProgramNames, out: &mut String) {
     let room = &names.rooms[thing.room];
     let count = if thing.count == 1 { String::new() } else { format!("[{}]", thing.count) };
     let _ = write!(out, "object {name}{count};\n{name}.category <- \"{}\";\n", thing.noun);
@@ -213,7 +213,7 @@ fn declaration(plan: &Plan, thing: &Thing, name: &str, names: &Names, out: &mut 
         _ => format!("assert forall each in {name}: {};", formula("each")),
     };
     let _ = writeln!(out, "{}", each(&|one| format!("inside({one}, {room})")));
-    if thing.place == Place::Hung {
+    if thing.place == ThingPlace::Hung {
         let room = &plan.rooms[thing.room];
         let least = ((room.size[1] - thing.size[1] - 0.1).min(HUNG) * 100.0).floor() / 100.0;
         let _ = writeln!(out, "{}", each(&|one| format!("{one}.pos.y >= {least}")));

@@ -2,8 +2,8 @@
 
 use super::FORMAT;
 use super::plan::Plan;
-use super::program::{Names, Stated, middles};
-use super::tell::Told;
+use super::program::{ProgramNames, Stated, middles};
+use super::tell::SceneWords;
 use crate::expect;
 use crate::score::Share;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// A scene of the dataset.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Scene {
+pub struct DatasetScene {
     /// [`FORMAT`].
     pub format: String,
     /// Its name, and that of its files.
@@ -25,7 +25,7 @@ pub struct Scene {
     /// What kind of building it is in.
     pub building: String,
     /// Its rooms.
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<RoomRecord>,
     /// Doors and windows.
     pub connections: Vec<Connection>,
     /// What is in the rooms.
@@ -52,7 +52,7 @@ pub struct Scene {
 /// A room.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Room {
+pub struct RoomRecord {
     /// Its name in the program.
     pub name: String,
     /// What it is called in the request.
@@ -130,8 +130,8 @@ impl From<Share> for [usize; 2] {
 }
 
 /// A scene of a line of JSON, or why it is none.
-pub fn parse(line: &str) -> Result<Scene, String> {
-    let scene: Scene = serde_json::from_str(line).map_err(|e| e.to_string())?;
+pub fn parse(line: &str) -> Result<DatasetScene, String> {
+    let scene: DatasetScene = serde_json::from_str(line).map_err(|e| e.to_string())?;
     if scene.format == FORMAT {
         Ok(scene)
     } else {
@@ -139,7 +139,7 @@ pub fn parse(line: &str) -> Result<Scene, String> {
     }
 }
 
-impl Scene {
+impl DatasetScene {
     /// Whether all that must hold does.
     pub fn holds(&self) -> bool {
         self.held.is_some_and(|held| held.all[0] == held.all[1])
@@ -216,17 +216,17 @@ pub(super) fn scene(
     seed: u64,
     number: u64,
     plan: &Plan,
-    names: &Names,
+    names: &ProgramNames,
     stated: &[Stated],
-    told: Told,
+    told: SceneWords,
     program: String,
-) -> Scene {
+) -> DatasetScene {
     let text = |words: [&str; 4]| {
         let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
         words.join(" ")
     };
     let middles = middles(plan);
-    let rooms = plan.rooms.iter().zip(&names.rooms).zip(middles).map(|((room, name), x)| Room {
+    let rooms = plan.rooms.iter().zip(&names.rooms).zip(middles).map(|((room, name), x)| RoomRecord {
         name: name.clone(),
         kind: room.kind.to_owned(),
         x,
@@ -264,7 +264,7 @@ pub(super) fn scene(
             formulas: stated.formulas.clone(),
         }
     });
-    Scene {
+    DatasetScene {
         format: FORMAT.to_owned(),
         id: format!("{}-{}-{number:03}", plan.building, plan.rooms.len()),
         seed,

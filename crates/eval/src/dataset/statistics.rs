@@ -1,6 +1,6 @@
 //! How large a dataset is, beside the published one.
 
-use super::Scene;
+use super::DatasetScene;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -30,8 +30,8 @@ pub struct Statistics {
 
 impl Statistics {
     /// Counts scenes.
-    pub fn of(scenes: &[Scene]) -> Self {
-        let sum = |of: &dyn Fn(&Scene) -> usize| scenes.iter().map(of).sum::<usize>() as f64;
+    pub fn of(scenes: &[DatasetScene]) -> Self {
+        let sum = |of: &dyn Fn(&DatasetScene) -> usize| scenes.iter().map(of).sum::<usize>() as f64;
         let mean = |total: f64| if scenes.is_empty() { 0.0 } else { total / scenes.len() as f64 };
         let words = |text: &str| text.split_whitespace().count();
         let pools = &super::pools::tables().buildings;
@@ -40,8 +40,8 @@ impl Statistics {
             counts: [
                 scenes.len() as f64,
                 sum(&|s| s.rooms.len()),
-                sum(&Scene::things),
-                sum(&Scene::instances),
+                sum(&DatasetScene::things),
+                sum(&DatasetScene::instances),
                 mean(sum(&|s| words(&s.request))),
                 mean(sum(&|s| words(&s.sentence))),
                 kinds as f64 / pools.len() as f64,

@@ -1,8 +1,8 @@
 //! What is asked for, in words: a conversational request and a sentence, from the grammar in `data/grammar.txt`.
 
 use super::dice::Dice;
-use super::plan::{Link, Plan, Thing};
-use super::pools::{Place, tables};
+use super::plan::{Link, Plan, PlannedThing};
+use super::pools::{ThingPlace, tables};
 use super::program::Stated;
 
 /// So many kinds of things are named in the short version.
@@ -10,7 +10,7 @@ const NAMED: usize = 6;
 
 /// The words of a scene.
 #[derive(Debug, Default)]
-pub(crate) struct Told {
+pub(crate) struct SceneWords {
     /// The request.
     pub request: String,
     /// The same with `_` for whatever is filled in: what of it is the grammar's.
@@ -48,8 +48,8 @@ impl Text {
 }
 
 /// Words of a plan.
-pub(crate) fn tell(dice: &mut Dice, plan: &Plan, stated: &[Stated]) -> Told {
-    let mut told = Told::default();
+pub(crate) fn tell(dice: &mut Dice, plan: &Plan, stated: &[Stated]) -> SceneWords {
+    let mut told = SceneWords::default();
     let mut text = Text::default();
     let names: Vec<String> = plan.rooms.iter().map(|room| format!("the {}", room.kind)).collect();
     let number = if names.len() == 1 { "one room" } else { "two rooms" };
@@ -150,7 +150,7 @@ fn of_relation(dice: &mut Dice, plan: &Plan, stated: &Stated) -> (String, String
 }
 
 /// Of how many things a sentence speaks, and how it calls those that their place refers to.
-fn shares(plan: &Plan, thing: &Thing, other: Option<usize>) -> (u32, String) {
+fn shares(plan: &Plan, thing: &PlannedThing, other: Option<usize>) -> (u32, String) {
     let Some(other) = other.map(|other| &plan.things[other]) else { return (thing.count, String::new()) };
     let others = plural(other.noun);
     match (thing.count, other.count) {
@@ -163,7 +163,7 @@ fn shares(plan: &Plan, thing: &Thing, other: Option<usize>) -> (u32, String) {
 }
 
 /// "five white steel filing cabinets with slim legs", or "a filing cabinet".
-fn several(thing: &Thing, count: u32) -> String {
+fn several(thing: &PlannedThing, count: u32) -> String {
     let (before, after) = (thing.look.before(), thing.look.after());
     match count {
         1 => article(&format!("{before}{}{after}", thing.noun)),
@@ -187,13 +187,13 @@ fn of_link(dice: &mut Dice, plan: &Plan, link: &Link) -> (String, String) {
 
 /// The short version: the rooms, and the first things that stand by themselves.
 fn short(dice: &mut Dice, plan: &Plan) -> String {
-    let described = |room: &super::plan::Room| {
+    let described = |room: &super::plan::PlannedRoom| {
         let style =
             room.attributes.iter().find(|(what, ..)| matches!(*what, "style" | "mood")).map(|(_, value, _)| *value);
         article(&format!("{}{}", style.map_or_else(String::new, |s| format!("{s} ")), room.kind))
     };
     let rooms: Vec<String> = plan.rooms.iter().map(described).collect();
-    let mut heads: Vec<&Thing> = plan.things.iter().filter(|t| !matches!(t.place, Place::On(_))).collect();
+    let mut heads: Vec<&PlannedThing> = plan.things.iter().filter(|t| !matches!(t.place, ThingPlace::On(_))).collect();
     dice.shuffle(&mut heads);
     let things: Vec<String> = heads.iter().take(NAMED).map(|t| plain(t)).collect();
     let building = article(plan.building);
@@ -207,7 +207,7 @@ fn short(dice: &mut Dice, plan: &Plan) -> String {
     drawn(dice, "short", false, &slots).0
 }
 
-fn plain(thing: &Thing) -> String {
+fn plain(thing: &PlannedThing) -> String {
     match thing.count {
         1 => article(&format!("{}{}", thing.look.before(), thing.noun)),
         n => format!("{} {}", word(n), plural(thing.noun)),

@@ -1,7 +1,7 @@
 //! What is compared: objects with names and descriptions, and constraints as sentences, of the ground truth and of a program.
 
-use crate::dataset::Scene;
-use crate::told::Told;
+use crate::dataset::DatasetScene;
+use crate::told::ProgramOutline;
 use scenelang_lang::program::{ConstraintKind, Object};
 use scenelang_lang::{Options, compile_text, library};
 use serde::{Deserialize, Serialize};
@@ -35,7 +35,7 @@ pub struct Sayings {
 }
 
 /// The ground truth of a scene: each object for itself, each relation in the words of the request.
-pub fn of_scene(scene: &Scene) -> (Vec<Described>, Vec<Clause>) {
+pub fn of_scene(scene: &DatasetScene) -> (Vec<Described>, Vec<Clause>) {
     let noun = |name: &str| scene.objects.iter().find(|object| object.name == name).map(|object| object.noun.clone());
     let objects = scene.objects.iter().flat_map(|object| {
         let one = Described { name: object.noun.clone(), description: object.description.clone() };
@@ -64,7 +64,7 @@ pub fn of_program(text: &str) -> Sayings {
         let own = |o: &&Object| o.array.as_ref().map_or(&*o.name, |(array, _)| array) == name;
         program.objects.iter().find(own).map_or_else(|| library::words(name).join(" "), called)
     };
-    let told = Told::new(program, compiled.main, text);
+    let told = ProgramOutline::new(program, compiled.main, text);
     let asked = told.statements.iter().zip(&program.constraints);
     let asked = asked.filter(|(s, c)| s.stated && c.kind == ConstraintKind::Assert);
     let mut sentences: Vec<String> = asked

@@ -14,14 +14,14 @@ const LONGEST: usize = 64;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Benchmark {
     /// In the order of the file.
-    pub requests: Vec<Asked>,
+    pub requests: Vec<AnnotatedRequest>,
     /// Annotations that cannot be read, with line and column: they are not judged.
     pub unread: Vec<String>,
 }
 
 /// A request, and what it asks for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct AnnotatedRequest {
     /// Letters, digits, `-` and `_`.
     pub id: String,
     /// The request.
@@ -274,7 +274,7 @@ pub fn read(text: &str) -> Result<Benchmark, String> {
             }
         }
         let own = |column: usize| field(column).to_owned();
-        out.requests.push(Asked { id: own(0), description: own(1), difficulty: own(6), annotations });
+        out.requests.push(AnnotatedRequest { id: own(0), description: own(1), difficulty: own(6), annotations });
     }
     Ok(out)
 }

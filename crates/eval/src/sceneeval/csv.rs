@@ -2,7 +2,7 @@
 
 /// A row of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct CsvRow {
     /// The line that it begins in, from 1.
     pub line: usize,
     /// Its fields.
@@ -13,13 +13,13 @@ pub struct Row {
 ///
 /// # Errors
 /// A quotation mark that is never closed, or something between a closing one and the next comma: with its line.
-pub fn read(text: &str) -> Result<Vec<Row>, String> {
+pub fn read(text: &str) -> Result<Vec<CsvRow>, String> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut rows = Vec::new();
     let mut chars = text.chars().peekable();
     let mut line = 1;
     while chars.peek().is_some() {
-        let mut row = Row { line, fields: Vec::new() };
+        let mut row = CsvRow { line, fields: Vec::new() };
         loop {
             let (field, ends) = field(&mut chars, &mut line)?;
             row.fields.push(field);

@@ -3,11 +3,11 @@
 
 use super::annotations::{Annotation, Says};
 use super::names::words;
-use super::places::{Place, is_opening, kind};
-use super::scene::Scene;
-use super::score::{Verdict, relation_of};
+use super::places::{RoomRelation, is_opening, kind};
+use super::scene::ScoredScene;
+use super::score::{AnnotationVerdict, relation_of};
 use super::table::Table;
-use crate::told::{Statement, Told};
+use crate::told::{ProgramOutline, Statement};
 use scenelang_base::FileId;
 use scenelang_lang::Program;
 use scenelang_lang::program::Constraint;
@@ -42,20 +42,20 @@ impl Fate {
 }
 
 /// The program of a layout, as far as fates go.
-pub struct Source<'a> {
+pub struct LayoutProgram<'a> {
     program: &'a Program,
     main: FileId,
-    told: Told,
+    told: ProgramOutline,
 }
 
-impl<'a> Source<'a> {
+impl<'a> LayoutProgram<'a> {
     /// `text` is the main file of the program.
     pub fn new(program: &'a Program, main: FileId, text: &str) -> Self {
-        Self { program, main, told: Told::new(program, main, text) }
+        Self { program, main, told: ProgramOutline::new(program, main, text) }
     }
 
     /// What became of an annotation that does not hold, and the statements that are about it.
-    pub fn fate(&self, verdict: &Verdict<'_>, scene: &Scene, table: &Table) -> (Fate, Vec<String>) {
+    pub fn fate(&self, verdict: &AnnotationVerdict<'_>, scene: &ScoredScene, table: &Table) -> (Fate, Vec<String>) {
         let named = |name: &str| self.named(name, scene, table);
         let annotation = verdict.annotation;
         match &annotation.says {
@@ -79,7 +79,7 @@ impl<'a> Source<'a> {
             }
             Says::Place { relation, name, element } => {
                 let targets: BTreeSet<usize> = named(name).into_iter().collect();
-                let said = table.said(Place::of(relation, element, table).name());
+                let said = table.said(RoomRelation::of(relation, element, table).name());
                 if is_opening(element) {
                     let kind = kind(element);
                     let is = |id: &usize| self.program.objects[*id].category.split_whitespace().last() == Some(kind);
@@ -87,14 +87,15 @@ impl<'a> Source<'a> {
                     return self.stated(said, &about, None);
                 }
                 let about = |of: &BTreeSet<usize>| !of.is_empty() && of.is_subset(&targets);
-                let others: Vec<&String> = Place::ALL.iter().flat_map(|place| table.said(place.name())).collect();
+                let others: Vec<&String> =
+                    RoomRelation::ALL.iter().flat_map(|place| table.said(place.name())).collect();
                 self.stated(said, &about, Some(&others))
             }
         }
     }
 
     /// The objects of the program that a name means.
-    fn named(&self, name: &str, scene: &Scene, table: &Table) -> Vec<usize> {
+    fn named(&self, name: &str, scene: &ScoredScene, table: &Table) -> Vec<usize> {
         let names: BTreeSet<&str> = scene.called(name, table).map(|thing| thing.looks.name.as_str()).collect();
         let objects = self.program.objects.iter().enumerate();
         objects.filter(|(_, object)| names.contains(object.name.as_str())).map(|(i, _)| i).collect()
@@ -217,8 +218,8 @@ region study;
         let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
         let layout = file::read(LAYOUT, compiled.main).layout;
         let table = Table::new();
-        let scene = Scene::new(&layout, Some(&program), &table).unwrap();
-        let source = Source::new(&program, compiled.main, PROGRAM);
+        let scene = ScoredScene::new(&layout, Some(&program), &table).unwrap();
+        let source = LayoutProgram::new(&program, compiled.main, PROGRAM);
         let rows = "ID,Description,ObjCount,ObjAttr,OORel,OARel,Difficulty\n\
             1,x,\"eq,1,lamp;eq,1,sofa\",\"eq,1,desk,oak\",\"eq,1,on,0,desk,lamp;eq,1,facing,0,lamp,lamp\",\
             \"eq,1,corner,desk,room;eq,1,against,desk,wall;eq,1,near,desk,door\",easy\n";

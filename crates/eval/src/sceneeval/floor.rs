@@ -2,7 +2,7 @@
 //! the floor from above, where every object is its box's footprint, a rug like a wardrobe.
 
 use super::names::words;
-use super::scene::{Held, Scene, Thing};
+use super::scene::{Held, ScoredObject, ScoredScene};
 use super::shape::Shape;
 use super::table::Table;
 use scenelang_layout::planar::depth_in_convex;
@@ -25,27 +25,27 @@ const STANDS: f64 = 0.05;
 
 /// The floor and what is on it.
 struct Ground<'a> {
-    scene: &'a Scene,
+    scene: &'a ScoredScene,
     /// Ways through doors.
     doors: Vec<Vec<Vec2>>,
     /// Footprints, each with its object.
-    blocks: Vec<(&'a Thing, Vec<Vec2>)>,
+    blocks: Vec<(&'a ScoredObject, Vec<Vec2>)>,
     /// Height of the lowest floor.
     base: f64,
 }
 
 impl<'a> Ground<'a> {
-    fn new(scene: &'a Scene) -> Self {
+    fn new(scene: &'a ScoredScene) -> Self {
         let base = scene.rooms.iter().map(|room| room.floor).fold(f64::INFINITY, f64::min);
-        let is_door = |thing: &&Thing| {
+        let is_door = |thing: &&ScoredObject| {
             thing.held == Held::House && words(&thing.looks.category).last().is_some_and(|noun| noun == "door")
         };
-        let way = |thing: &Thing| {
+        let way = |thing: &ScoredObject| {
             let mut obb = thing.shape.obb;
             obb.half.z += THRESHOLD;
             obb.footprint()
         };
-        let blocks = |thing: &&Thing| thing.held != Held::House && thing.shape.obb.center.y - base <= HEAD;
+        let blocks = |thing: &&ScoredObject| thing.held != Held::House && thing.shape.obb.center.y - base <= HEAD;
         Self {
             scene,
             doors: scene.things.iter().filter(is_door).map(way).collect(),
@@ -62,7 +62,7 @@ impl<'a> Ground<'a> {
 
 /// The share of the free floor that the largest piece of it has, eight neighbours to a cell; 0 where nothing is free,
 /// `None` where there is no room.
-pub fn navigability(scene: &Scene) -> Option<f64> {
+pub fn navigability(scene: &ScoredScene) -> Option<f64> {
     let low = scene.rooms.iter().map(|room| room.low).reduce(|a, b| a.inf(&b))?;
     let high = scene.rooms.iter().map(|room| room.high).reduce(|a, b| a.sup(&b))?;
     let ground = Ground::new(scene);
@@ -118,13 +118,13 @@ fn largest(mut free: Vec<bool>) -> usize {
 
 /// Of each object that stands on a floor and is stepped up to, the greatest share, over the sides from which it is used, of
 /// the strip before that side that is floor with nothing on it.
-pub fn accessibility(scene: &Scene, table: &Table) -> Vec<(String, f64)> {
+pub fn accessibility(scene: &ScoredScene, table: &Table) -> Vec<(String, f64)> {
     let ground = Ground::new(scene);
-    let stands = |thing: &&Thing| {
+    let stands = |thing: &&ScoredObject| {
         let lowest = thing.shape.coarse().iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
         thing.held == Held::Below && scene.rooms.iter().any(|room| (lowest - room.floor).abs() < STANDS)
     };
-    let score = |thing: &Thing| {
+    let score = |thing: &ScoredObject| {
         let sides = sides(thing, table).iter();
         let best = sides.map(|side| free_share(&ground, &thing.shape, *side)).reduce(f64::max)?;
         Some((thing.looks.name.clone(), best))
@@ -133,7 +133,7 @@ pub fn accessibility(scene: &Scene, table: &Table) -> Vec<(String, f64)> {
 }
 
 /// The sides from which a thing is used, as axis and direction.
-fn sides(thing: &Thing, table: &Table) -> &'static [(usize, f64)] {
+fn sides(thing: &ScoredObject, table: &Table) -> &'static [(usize, f64)] {
     let noun = words(&thing.looks.category).pop().unwrap_or_default();
     if table.has("sides none", &noun) {
         &[]
@@ -170,25 +170,25 @@ fn free_share(ground: &Ground<'_>, shape: &Shape, (axis, way): (usize, f64)) -> 
 mod tests {
     use super::*;
     use crate::sceneeval::names::Looks;
-    use crate::sceneeval::scene::Room;
+    use crate::sceneeval::scene::ScoredRoom;
     use scenelang_layout::{Geometry, Placement, convex};
 
-    fn thing(name: &str, pos: [f64; 3], scale: [f64; 3]) -> Thing {
+    fn thing(name: &str, pos: [f64; 3], scale: [f64; 3]) -> ScoredObject {
         let (pos, rot, scale) = (Vec3::from(pos), Vec3::zeros(), Vec3::from(scale));
         let placement = Placement { pos, rot, scale, parts: Vec::new(), surface: None, joints: Vec::new() };
         let looks = Looks { name: name.into(), category: name.into(), ..Looks::default() };
         let held = if name == "door" { Held::House } else { Held::Below };
-        Thing { looks, shape: Shape::new(&placement), solid: convex::solid(&placement, Geometry::Parts), held }
+        ScoredObject { looks, shape: Shape::new(&placement), solid: convex::solid(&placement, Geometry::Parts), held }
     }
 
-    fn scene(things: Vec<Thing>) -> Scene {
-        Scene { things, rooms: vec![Room::rectangle([-2.0, -2.0], [2.0, 2.0], 0.0, 2.6)] }
+    fn scene(things: Vec<ScoredObject>) -> ScoredScene {
+        ScoredScene { things, rooms: vec![ScoredRoom::rectangle([-2.0, -2.0], [2.0, 2.0], 0.0, 2.6)] }
     }
 
     #[test]
     fn a_wall_of_furniture_divides_the_floor() {
         assert_eq!(navigability(&scene(vec![])), Some(1.0));
-        assert_eq!(navigability(&Scene { things: vec![], rooms: vec![] }), None);
+        assert_eq!(navigability(&ScoredScene { things: vec![], rooms: vec![] }), None);
         // Free are x from -1.9 to -0.1 on one side, and from 1.1 to 1.9 on the other.
         let divided = navigability(&scene(vec![thing("shelf", [0.5, 0.0, 0.0], [1.0, 2.0, 4.0])])).unwrap();
         assert!((divided - 1.8 / 2.6).abs() < 0.01, "{divided}");
@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn a_door_joins_two_rooms() {
         let mut house = scene(vec![]);
-        house.rooms.push(Room::rectangle([2.1, -2.0], [6.1, 2.0], 0.0, 2.6));
+        house.rooms.push(ScoredRoom::rectangle([2.1, -2.0], [6.1, 2.0], 0.0, 2.6));
         let apart = navigability(&house).unwrap();
         assert!((apart - 0.5).abs() < 0.02, "{apart}");
         let mut door = thing("door", [2.05, 0.0, 0.0], [0.1, 2.0, 0.9]);

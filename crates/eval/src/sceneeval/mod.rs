@@ -24,7 +24,7 @@ mod score;
 mod shape;
 mod table;
 
-pub use annotations::{Asked, Benchmark, Measure, read};
+pub use annotations::{AnnotatedRequest, Benchmark, Measure, read};
 pub use lookups::{by_model, question};
 pub use plausible::Plausible;
 pub use report::{Case, Made, Scores};

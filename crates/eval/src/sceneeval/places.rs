@@ -1,8 +1,8 @@
 //! Relations of objects to rooms and to their walls, doors, windows and ceilings, by the published thresholds.
 
 use super::relations::{across, near, next};
-use super::scene::Room;
-use super::shape::{Shape, Side, ease};
+use super::scene::ScoredRoom;
+use super::shape::{Shape, SideTest, ease};
 use super::table::Table;
 use scenelang_layout::Vec2;
 
@@ -13,7 +13,7 @@ const SLACK: [f64; 2] = [0.01, 0.02];
 
 /// A relation to a room or a part of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum RoomRelation {
     /// Within half a metre of a door or window.
     NextToOpening,
     /// Within one and a half.
@@ -42,7 +42,7 @@ pub enum Place {
     Inside,
 }
 
-impl Place {
+impl RoomRelation {
     /// All of them.
     pub const ALL: [Self; 13] = [
         Self::NextToOpening,
@@ -108,7 +108,7 @@ impl Place {
     }
 
     /// How well a box stands in the relation, 0 to 1. `openings` are the doors, or the windows, that are meant.
-    pub fn score(self, shape: &Shape, rooms: &[Room], openings: &[&Shape]) -> f64 {
+    pub fn score(self, shape: &Shape, rooms: &[ScoredRoom], openings: &[&Shape]) -> f64 {
         let best = |of: &dyn Fn(&Shape) -> f64| openings.iter().map(|opening| of(opening)).fold(0.0, f64::max);
         match self {
             Self::NextToOpening => return best(&|opening| next(shape, opening)),
@@ -164,7 +164,7 @@ pub fn is_opening(element: &str) -> bool {
 }
 
 fn below(shape: &Shape, opening: &Shape) -> f64 {
-    let side = Side { axis: 1, positive: false, beyond: false, margin: 10.0 };
+    let side = SideTest { axis: 1, positive: false, beyond: false, margin: 10.0 };
     if opening.obb.center.y > shape.obb.center.y && opening.share_at(shape, side) > 0.0 {
         ease(shape.gap(opening), [0.0, 1.0], 0.25)
     } else {
@@ -173,9 +173,9 @@ fn below(shape: &Shape, opening: &Shape) -> f64 {
 }
 
 /// The room in whose middle a box is most, by the shares of the way to its walls.
-fn own_room<'a>(shape: &Shape, rooms: &'a [Room]) -> Option<&'a Room> {
+fn own_room<'a>(shape: &Shape, rooms: &'a [ScoredRoom]) -> Option<&'a ScoredRoom> {
     let center = Vec2::new(shape.obb.center.x, shape.obb.center.z);
-    let off = |room: &Room| {
+    let off = |room: &ScoredRoom| {
         let size = (room.high - room.low).sup(&Vec2::repeat(1e-6));
         (center - (room.low + room.high) / 2.0).component_div(&size).amax()
     };
@@ -183,7 +183,7 @@ fn own_room<'a>(shape: &Shape, rooms: &'a [Room]) -> Option<&'a Room> {
 }
 
 /// How far a box is from each wall of the rectangle around a room, and the wall's axis (0: x, 1: z), the nearest first.
-fn wall_gaps(points: &[scenelang_layout::Vec3], room: &Room) -> [(f64, usize); 4] {
+fn wall_gaps(points: &[scenelang_layout::Vec3], room: &ScoredRoom) -> [(f64, usize); 4] {
     let reach = |axis: usize, from: f64, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[2 * axis]).fold(from, pick);
     let highest = |axis| (room.high[axis] - reach(axis, f64::NEG_INFINITY, f64::max)).abs();
     let lowest = |axis| (room.low[axis] - reach(axis, f64::INFINITY, f64::min)).abs();
@@ -203,11 +203,11 @@ mod tests {
     }
 
     /// A room of 4 m by 3 m by 2.6 m around the origin.
-    fn room() -> Room {
-        Room::rectangle([-2.0, -1.5], [2.0, 1.5], 0.0, 2.6)
+    fn room() -> ScoredRoom {
+        ScoredRoom::rectangle([-2.0, -1.5], [2.0, 1.5], 0.0, 2.6)
     }
 
-    fn score(place: Place, pos: [f64; 3], scale: [f64; 3]) -> f64 {
+    fn score(place: RoomRelation, pos: [f64; 3], scale: [f64; 3]) -> f64 {
         place.score(&shape(pos, scale), &[room()], &[])
     }
 
@@ -218,60 +218,60 @@ mod tests {
     #[test]
     fn walls_and_corners() {
         let cube = [0.4; 3];
-        close(score(Place::AgainstWall, [1.5, 0.0, 0.0], cube), 1.0);
-        close(score(Place::AgainstWall, [1.4, 0.0, 0.0], cube), (-0.5_f64).exp());
-        close(score(Place::OnWall, [1.795, 1.0, 0.0], cube), 1.0);
-        close(score(Place::OnWall, [1.78, 1.0, 0.0], cube), (-0.5_f64).exp());
-        close(score(Place::OnWall, [1.7, 1.0, 0.0], cube), 0.0);
-        close(score(Place::NearWall, [0.5, 0.0, 0.0], cube), 1.0);
-        close(score(Place::Corner, [1.1, 0.0, 0.6], cube), 1.0);
-        close(score(Place::Corner, [1.1, 0.0, 0.25], cube), (-0.5_f64).exp());
+        close(score(RoomRelation::AgainstWall, [1.5, 0.0, 0.0], cube), 1.0);
+        close(score(RoomRelation::AgainstWall, [1.4, 0.0, 0.0], cube), (-0.5_f64).exp());
+        close(score(RoomRelation::OnWall, [1.795, 1.0, 0.0], cube), 1.0);
+        close(score(RoomRelation::OnWall, [1.78, 1.0, 0.0], cube), (-0.5_f64).exp());
+        close(score(RoomRelation::OnWall, [1.7, 1.0, 0.0], cube), 0.0);
+        close(score(RoomRelation::NearWall, [0.5, 0.0, 0.0], cube), 1.0);
+        close(score(RoomRelation::Corner, [1.1, 0.0, 0.6], cube), 1.0);
+        close(score(RoomRelation::Corner, [1.1, 0.0, 0.25], cube), (-0.5_f64).exp());
     }
 
     #[test]
     fn middle_floor_ceiling_and_inside() {
         let cube = [0.4; 3];
-        close(score(Place::Middle, [0.0, 0.0, 0.0], cube), 1.0);
+        close(score(RoomRelation::Middle, [0.0, 0.0, 0.0], cube), 1.0);
         // The deviation is half of 0.4 and what 0.4 leaves of 3.5.
         let deviation: f64 = 0.2 + 1.0 - 0.4 / 3.5;
-        close(score(Place::Middle, [1.0, 0.0, 0.0], cube), (-1.0 / (2.0 * deviation * deviation)).exp());
-        close(score(Place::Ceiling, [0.0, 2.2, 0.0], cube), 1.0);
-        close(score(Place::Ceiling, [0.0, 2.16, 0.0], cube), (-0.5_f64).exp());
-        close(score(Place::Floor, [0.0, 0.01, 0.0], cube), 1.0);
-        close(score(Place::Floor, [0.0, 0.1, 0.0], cube), 0.0);
-        close(score(Place::Inside, [1.9, 0.0, 0.0], cube), 1.0);
-        close(score(Place::Inside, [2.1, 0.0, 0.0], cube), 0.0);
-        close(Place::Inside.score(&shape([0.0; 3], cube), &[], &[]), 0.0);
+        close(score(RoomRelation::Middle, [1.0, 0.0, 0.0], cube), (-1.0 / (2.0 * deviation * deviation)).exp());
+        close(score(RoomRelation::Ceiling, [0.0, 2.2, 0.0], cube), 1.0);
+        close(score(RoomRelation::Ceiling, [0.0, 2.16, 0.0], cube), (-0.5_f64).exp());
+        close(score(RoomRelation::Floor, [0.0, 0.01, 0.0], cube), 1.0);
+        close(score(RoomRelation::Floor, [0.0, 0.1, 0.0], cube), 0.0);
+        close(score(RoomRelation::Inside, [1.9, 0.0, 0.0], cube), 1.0);
+        close(score(RoomRelation::Inside, [2.1, 0.0, 0.0], cube), 0.0);
+        close(RoomRelation::Inside.score(&shape([0.0; 3], cube), &[], &[]), 0.0);
     }
 
     #[test]
     fn openings() {
         let window = shape([0.0, 0.9, 1.55], [1.2, 1.2, 0.1]);
-        let at = |place: Place, pos| place.score(&shape(pos, [0.4; 3]), &[room()], &[&window]);
-        close(at(Place::BelowOpening, [0.0, 0.0, 1.2]), 1.0);
-        close(at(Place::BelowOpening, [0.0, 2.0, 1.2]), 0.0);
-        close(at(Place::NextToOpening, [0.0, 1.0, 1.0]), 1.0);
-        close(at(Place::AcrossOpening, [0.0, 1.0, -1.0]), 1.0);
-        close(at(Place::FarFromOpening, [0.0, 1.0, -3.0]), 1.0);
-        close(Place::NearOpening.score(&shape([0.0; 3], [0.4; 3]), &[room()], &[]), 0.0);
+        let at = |place: RoomRelation, pos| place.score(&shape(pos, [0.4; 3]), &[room()], &[&window]);
+        close(at(RoomRelation::BelowOpening, [0.0, 0.0, 1.2]), 1.0);
+        close(at(RoomRelation::BelowOpening, [0.0, 2.0, 1.2]), 0.0);
+        close(at(RoomRelation::NextToOpening, [0.0, 1.0, 1.0]), 1.0);
+        close(at(RoomRelation::AcrossOpening, [0.0, 1.0, -1.0]), 1.0);
+        close(at(RoomRelation::FarFromOpening, [0.0, 1.0, -3.0]), 1.0);
+        close(RoomRelation::NearOpening.score(&shape([0.0; 3], [0.4; 3]), &[room()], &[]), 0.0);
     }
 
     #[test]
     fn words_mean_places() {
         let table = Table::new();
         let cases = [
-            ("against", "wall", Place::AgainstWall),
-            ("mount", "north_wall", Place::OnWall),
-            ("hang", "ceiling", Place::Ceiling),
-            ("corner", "bedroom", Place::Corner),
-            ("in", "bedroom", Place::Inside),
-            ("in", "room_center", Place::Middle),
-            ("front", "window", Place::NearOpening),
-            ("beneath", "bay_window", Place::BelowOpening),
-            ("far", "door", Place::FarFromOpening),
+            ("against", "wall", RoomRelation::AgainstWall),
+            ("mount", "north_wall", RoomRelation::OnWall),
+            ("hang", "ceiling", RoomRelation::Ceiling),
+            ("corner", "bedroom", RoomRelation::Corner),
+            ("in", "bedroom", RoomRelation::Inside),
+            ("in", "room_center", RoomRelation::Middle),
+            ("front", "window", RoomRelation::NearOpening),
+            ("beneath", "bay_window", RoomRelation::BelowOpening),
+            ("far", "door", RoomRelation::FarFromOpening),
         ];
         for (relation, element, place) in cases {
-            assert_eq!(Place::of(relation, element, &table), place, "{relation} {element}");
+            assert_eq!(RoomRelation::of(relation, element, &table), place, "{relation} {element}");
         }
     }
 }

@@ -2,7 +2,7 @@
 //! are outside of the rooms. Doors and windows are part of the house, and not asked.
 
 use super::floor;
-use super::scene::{Held, Room, Scene, Thing};
+use super::scene::{Held, ScoredObject, ScoredRoom, ScoredScene};
 use super::table::Table;
 use scenelang_layout::planar::{convex_hull, depth_in_convex};
 use scenelang_layout::{Convex, Vec2, Vec3, convex};
@@ -39,9 +39,9 @@ pub struct Plausible {
 
 impl Plausible {
     /// Looks at a layout.
-    pub fn of(scene: &Scene, table: &Table) -> Self {
-        let things: Vec<&Thing> = scene.things.iter().filter(|thing| thing.held != Held::House).collect();
-        let name = |thing: &Thing| thing.looks.name.clone();
+    pub fn of(scene: &ScoredScene, table: &Table) -> Self {
+        let things: Vec<&ScoredObject> = scene.things.iter().filter(|thing| thing.held != Held::House).collect();
+        let name = |thing: &ScoredObject| thing.looks.name.clone();
         let mut out = Self { objects: things.len(), ..Self::default() };
         let mut colliding = vec![false; things.len()];
         for (i, a) in things.iter().enumerate() {
@@ -53,7 +53,8 @@ impl Plausible {
             }
         }
         out.colliding = colliding.into_iter().filter(|collides| *collides).count();
-        let names = |those: &dyn Fn(&Thing) -> bool| things.iter().filter(|t| those(t)).map(|t| name(t)).collect();
+        let names =
+            |those: &dyn Fn(&ScoredObject) -> bool| things.iter().filter(|t| those(t)).map(|t| name(t)).collect();
         out.unsupported = names(&|thing| !is_held(thing, scene));
         out.outside = names(&|thing| share_in_bounds(thing, &scene.rooms) < IN_BOUNDS);
         out.navigability = floor::navigability(scene);
@@ -62,13 +63,13 @@ impl Plausible {
     }
 }
 
-fn collide(a: &Thing, b: &Thing) -> bool {
+fn collide(a: &ScoredObject, b: &ScoredObject) -> bool {
     let apart = convex::aabb(&a.solid).distance(&convex::aabb(&b.solid)) > 0.0;
     !apart && convex::nearest(&a.solid, &b.solid).is_some_and(|nearest| nearest.separation.gap < -DEEP)
 }
 
 /// The share of an object's box that is above a floor.
-fn share_in_bounds(thing: &Thing, rooms: &[Room]) -> f64 {
+fn share_in_bounds(thing: &ScoredObject, rooms: &[ScoredRoom]) -> f64 {
     let obb = &thing.shape.obb;
     let step = |i: usize| (2 * i + 1) as f64 / ACROSS as f64 - 1.0;
     let points = (0..ACROSS.pow(3)).map(|i| {
@@ -81,7 +82,7 @@ fn share_in_bounds(thing: &Thing, rooms: &[Room]) -> f64 {
 
 /// Whether something holds an object: of what hangs, anything behind or above it; of what stands, so much below it that
 /// its middle is over what carries it.
-fn is_held(thing: &Thing, scene: &Scene) -> bool {
+fn is_held(thing: &ScoredObject, scene: &ScoredScene) -> bool {
     let others: Vec<&Convex> = scene
         .things
         .iter()
@@ -111,7 +112,7 @@ fn is_held(thing: &Thing, scene: &Scene) -> bool {
         Held::Below => {
             let down = -Vec3::y();
             let on_floor = |p: &Vec3| {
-                let over = |r: &Room| r.outline.clearance_of_point(Vec2::new(p.x, p.z)).value >= -REACH;
+                let over = |r: &ScoredRoom| r.outline.clearance_of_point(Vec2::new(p.x, p.z)).value >= -REACH;
                 scene.rooms.iter().any(|r| near(p.y - r.floor) && over(r))
             };
             let contacts = face(&thing.solid, &down).into_iter().filter(|p| on_floor(p) || meets(p, &down));
@@ -173,16 +174,16 @@ mod tests {
     use crate::sceneeval::shape::Shape;
     use scenelang_layout::{Geometry, Placement};
 
-    fn thing(name: &str, pos: [f64; 3], scale: [f64; 3], held: Held) -> Thing {
+    fn thing(name: &str, pos: [f64; 3], scale: [f64; 3], held: Held) -> ScoredObject {
         let (pos, rot, scale) = (Vec3::from(pos), Vec3::zeros(), Vec3::from(scale));
         let placement = Placement { pos, rot, scale, parts: Vec::new(), surface: None, joints: Vec::new() };
         let looks = Looks { name: name.into(), category: name.into(), ..Looks::default() };
         let solid = convex::solid(&placement, Geometry::Parts);
-        Thing { looks, shape: Shape::new(&placement), solid, held }
+        ScoredObject { looks, shape: Shape::new(&placement), solid, held }
     }
 
-    fn look(things: Vec<Thing>) -> Plausible {
-        let scene = Scene { things, rooms: vec![Room::rectangle([-2.0, -2.0], [2.0, 2.0], 0.0, 2.6)] };
+    fn look(things: Vec<ScoredObject>) -> Plausible {
+        let scene = ScoredScene { things, rooms: vec![ScoredRoom::rectangle([-2.0, -2.0], [2.0, 2.0], 0.0, 2.6)] };
         Plausible::of(&scene, &Table::new())
     }
 

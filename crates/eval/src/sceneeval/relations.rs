@@ -3,7 +3,7 @@
 //! Left and right are those of someone who stands before the front of the reference and looks at it: the reference's own
 //! right is on the left.
 
-use super::shape::{Shape, Side, ease};
+use super::shape::{Shape, SideTest, ease};
 use scenelang_layout::Vec2;
 
 /// How distances fall off outside of their ranges (metres).
@@ -99,10 +99,10 @@ impl Relation {
     /// How well one target stands in the relation, 0 to 1.
     pub fn score(self, target: &Shape, reference: &Shape) -> f64 {
         let beside =
-            |axis, positive| reference.share_at(target, Side { axis, positive, beyond: true, margin: WIDE[axis] });
+            |axis, positive| reference.share_at(target, SideTest { axis, positive, beyond: true, margin: WIDE[axis] });
         match self {
             Self::OnTop if target.obb.center.y > reference.obb.center.y => {
-                reference.share_at(target, Side { axis: 1, positive: true, beyond: false, margin: 1e-9 })
+                reference.share_at(target, SideTest { axis: 1, positive: true, beyond: false, margin: 1e-9 })
             }
             Self::OnTop => 0.0,
             Self::Next => next(target, reference),
@@ -168,7 +168,7 @@ fn at_sides(target: &Shape, reference: &Shape, long: bool) -> f64 {
     }
     // The long sides are those that the short axis leads to.
     let axis = if (half.x < half.z) == long { 0 } else { 2 };
-    let share = |positive| reference.share_at(target, Side { axis, positive, beyond: false, margin: 1e-9 });
+    let share = |positive| reference.share_at(target, SideTest { axis, positive, beyond: false, margin: 1e-9 });
     share(true).max(share(false))
 }
 

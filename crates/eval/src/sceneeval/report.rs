@@ -1,10 +1,10 @@
 //! Requests with their scores, as a report for machines and a table for spreadsheets.
 
-use super::annotations::{Asked, Measure};
-use super::fate::{Fate, Source, sentence};
+use super::annotations::{AnnotatedRequest, Measure};
+use super::fate::{Fate, LayoutProgram, sentence};
 use super::plausible::Plausible;
-use super::scene::Scene;
-use super::score::{Verdict, is_judged, judge};
+use super::scene::ScoredScene;
+use super::score::{AnnotationVerdict, is_judged, judge};
 use super::table::Table;
 use crate::score::Share;
 use scenelang_base::FileId;
@@ -78,12 +78,12 @@ impl Case {
     ///
     /// # Errors
     /// The layout has a room whose outline is no simple polygon.
-    pub fn of(asked: &Asked, made: &Made<'_>, table: &Table) -> Result<Self, String> {
+    pub fn of(asked: &AnnotatedRequest, made: &Made<'_>, table: &Table) -> Result<Self, String> {
         let program = made.program.map(|(program, ..)| program);
-        let scene = Scene::new(made.layout, program, table)?;
-        let source = made.program.map(|(program, main, text)| Source::new(program, main, text));
+        let scene = ScoredScene::new(made.layout, program, table)?;
+        let source = made.program.map(|(program, main, text)| LayoutProgram::new(program, main, text));
         let (verdicts, unjudged) = judge(asked, &scene, table);
-        let miss = |verdict: &Verdict<'_>| {
+        let miss = |verdict: &AnnotationVerdict<'_>| {
             let told = source.as_ref().map(|source| source.fate(verdict, &scene, table));
             let (fate, statements) = told.map_or((None, Vec::new()), |(fate, all)| (Some(fate), all));
             Miss { fate, statements, ..missed(asked, verdict) }
@@ -100,10 +100,10 @@ impl Case {
     }
 
     /// A request for which there is no layout: nothing of it holds.
-    pub fn without(asked: &Asked, trouble: String, table: &Table) -> Self {
+    pub fn without(asked: &AnnotatedRequest, trouble: String, table: &Table) -> Self {
         let (judged, unjudged): (Vec<_>, Vec<_>) = asked.annotations.iter().partition(|a| is_judged(a, table));
-        let verdict = |annotation| Verdict { annotation, holds: false, found: 0, absent: true };
-        let verdicts: Vec<Verdict<'_>> = judged.into_iter().map(verdict).collect();
+        let verdict = |annotation| AnnotationVerdict { annotation, holds: false, found: 0, absent: true };
+        let verdicts: Vec<AnnotationVerdict<'_>> = judged.into_iter().map(verdict).collect();
         Self {
             trouble: Some(trouble),
             shares: shares(&verdicts),
@@ -113,7 +113,7 @@ impl Case {
         }
     }
 
-    fn empty(asked: &Asked) -> Self {
+    fn empty(asked: &AnnotatedRequest) -> Self {
         Self {
             id: asked.id.clone(),
             difficulty: asked.difficulty.clone(),
@@ -189,7 +189,7 @@ impl Case {
     }
 }
 
-fn missed(asked: &Asked, verdict: &Verdict<'_>) -> Miss {
+fn missed(asked: &AnnotatedRequest, verdict: &AnnotationVerdict<'_>) -> Miss {
     Miss {
         measure: verdict.annotation.measure(),
         annotation: verdict.annotation.text.clone(),
@@ -202,7 +202,7 @@ fn missed(asked: &Asked, verdict: &Verdict<'_>) -> Miss {
     }
 }
 
-fn shares(verdicts: &[Verdict<'_>]) -> [Share; 4] {
+fn shares(verdicts: &[AnnotationVerdict<'_>]) -> [Share; 4] {
     Measure::ALL.map(|measure| {
         let own = verdicts.iter().filter(|verdict| verdict.annotation.measure() == measure);
         Share { part: own.clone().filter(|verdict| verdict.holds).count(), whole: own.count() }
@@ -220,7 +220,7 @@ pub struct Scores {
 
 /// A row of the summary.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group {
+pub struct SummaryRow {
     /// `all`, or a difficulty.
     pub name: String,
     /// How many requests there are, and how many have a layout in which nothing that must hold fails.
@@ -241,16 +241,17 @@ pub struct Group {
 
 impl Scores {
     /// The summary: all requests, then by difficulty in the order in which the file has them.
-    pub fn groups(&self) -> Vec<Group> {
+    pub fn groups(&self) -> Vec<SummaryRow> {
         let mut names: Vec<&str> = Vec::new();
         for case in &self.cases {
             if !names.contains(&case.difficulty.as_str()) {
                 names.push(&case.difficulty);
             }
         }
-        let all = Group::of("all", &self.cases.iter().collect::<Vec<_>>());
-        let of =
-            |name: &str| Group::of(name, &self.cases.iter().filter(|case| case.difficulty == name).collect::<Vec<_>>());
+        let all = SummaryRow::of("all", &self.cases.iter().collect::<Vec<_>>());
+        let of = |name: &str| {
+            SummaryRow::of(name, &self.cases.iter().filter(|case| case.difficulty == name).collect::<Vec<_>>())
+        };
         std::iter::once(all).chain(names.into_iter().map(of)).collect()
     }
 
@@ -301,7 +302,7 @@ impl Scores {
     }
 }
 
-impl Group {
+impl SummaryRow {
     fn of(name: &str, cases: &[&Case]) -> Self {
         let count = |of: &dyn Fn(&Case) -> bool| Share {
             part: cases.iter().filter(|case| of(case)).count(),

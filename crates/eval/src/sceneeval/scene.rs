@@ -11,16 +11,16 @@ use std::collections::BTreeSet;
 
 /// A layout with what its program says about its objects.
 #[derive(Clone, Debug)]
-pub struct Scene {
+pub struct ScoredScene {
     /// The objects, in the order of the layout.
-    pub things: Vec<Thing>,
+    pub things: Vec<ScoredObject>,
     /// The rooms, in the order of the layout.
-    pub rooms: Vec<Room>,
+    pub rooms: Vec<ScoredRoom>,
 }
 
 /// A placed object.
 #[derive(Clone, Debug)]
-pub struct Thing {
+pub struct ScoredObject {
     /// What it is called and looks like.
     pub looks: Looks,
     /// Its box.
@@ -46,7 +46,7 @@ pub enum Held {
 
 /// A room: a floor and the space above it.
 #[derive(Clone, Debug)]
-pub struct Room {
+pub struct ScoredRoom {
     /// Its outline (world x and z).
     pub outline: Polygon,
     /// Height of the floor.
@@ -59,7 +59,7 @@ pub struct Room {
     pub high: Vec2,
 }
 
-impl Room {
+impl ScoredRoom {
     fn new(prism: Prism) -> Self {
         let corners = prism.polygon.corners();
         let low = corners.iter().fold(Vec2::repeat(f64::INFINITY), |m, c| m.inf(c));
@@ -95,7 +95,7 @@ pub fn categories(layout: &Layout, program: Option<&Program>) -> BTreeSet<String
     layout.objects.iter().map(|(name, _)| looks(name, program).category).collect()
 }
 
-impl Scene {
+impl ScoredScene {
     /// The objects and rooms of a layout. Without a program, or where it does not know an object, the object's name says
     /// what it is: `chair[2]` and `chair2` are chairs.
     ///
@@ -108,24 +108,24 @@ impl Scene {
             let looks = looks(name, program);
             let held = held(&looks, program, table);
             let solid = solid(placement, Geometry::Parts);
-            Thing { looks, shape: Shape::new(placement), solid, held }
+            ScoredObject { looks, shape: Shape::new(placement), solid, held }
         });
         let things = things.collect();
         let room = |(name, region): &(_, _)| match Prism::from_placement(region) {
-            Ok(prism) => Ok(Room::new(prism)),
+            Ok(prism) => Ok(ScoredRoom::new(prism)),
             Err(_) => Err(format!("the outline of {name} is not a simple polygon")),
         };
         Ok(Self { things, rooms: layout.regions.iter().map(room).collect::<Result<_, _>>()? })
     }
 
     /// The objects that a name means.
-    pub fn called<'a>(&'a self, name: &'a str, table: &'a Table) -> impl Iterator<Item = &'a Thing> {
+    pub fn called<'a>(&'a self, name: &'a str, table: &'a Table) -> impl Iterator<Item = &'a ScoredObject> {
         self.things.iter().filter(move |thing| thing.looks.is_called(name, table))
     }
 
     /// The doors, or the windows.
     pub fn openings(&self, kind: &str) -> Vec<&Shape> {
-        let is = |thing: &&Thing| thing.looks.category.split_whitespace().last() == Some(kind);
+        let is = |thing: &&ScoredObject| thing.looks.category.split_whitespace().last() == Some(kind);
         self.things.iter().filter(is).map(|thing| &thing.shape).collect()
     }
 }

@@ -1,9 +1,9 @@
 //! Faithfulness: which annotations a layout fulfils.
 
-use super::annotations::{Annotation, Asked, How, Says};
-use super::places::{Place, kind};
+use super::annotations::{AnnotatedRequest, Annotation, How, Says};
+use super::places::{RoomRelation, kind};
 use super::relations::{Relation, surround};
-use super::scene::{Scene, Thing};
+use super::scene::{ScoredObject, ScoredScene};
 use super::shape::Shape;
 use super::table::Table;
 
@@ -12,7 +12,7 @@ const THRESHOLD: f64 = 0.5;
 
 /// What was found of an annotation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Verdict<'a> {
+pub struct AnnotationVerdict<'a> {
     /// What is asked for.
     pub annotation: &'a Annotation,
     /// Whether it is there.
@@ -25,7 +25,11 @@ pub struct Verdict<'a> {
 
 /// The verdicts on a request's annotations, and those annotations that are not judged: sizes, which only compare, and
 /// relations that the table does not have.
-pub fn judge<'a>(asked: &'a Asked, scene: &Scene, table: &Table) -> (Vec<Verdict<'a>>, Vec<&'a Annotation>) {
+pub fn judge<'a>(
+    asked: &'a AnnotatedRequest,
+    scene: &ScoredScene,
+    table: &Table,
+) -> (Vec<AnnotationVerdict<'a>>, Vec<&'a Annotation>) {
     let (mut verdicts, mut unjudged) = (Vec::new(), Vec::new());
     for annotation in &asked.annotations {
         match verdict(annotation, scene, table) {
@@ -53,12 +57,12 @@ pub fn relation_of(word: &str, table: &Table) -> Option<Relation> {
     }
 }
 
-fn verdict<'a>(annotation: &'a Annotation, scene: &Scene, table: &Table) -> Option<Verdict<'a>> {
+fn verdict<'a>(annotation: &'a Annotation, scene: &ScoredScene, table: &Table) -> Option<AnnotationVerdict<'a>> {
     if !is_judged(annotation, table) {
         return None;
     }
     let wanted = annotation.number;
-    let called = |name| scene.called(name, table).collect::<Vec<&Thing>>();
+    let called = |name| scene.called(name, table).collect::<Vec<&ScoredObject>>();
     let (found, absent, holds) = match &annotation.says {
         Says::Count(name) => {
             let found = called(name).len();
@@ -81,7 +85,7 @@ fn verdict<'a>(annotation: &'a Annotation, scene: &Scene, table: &Table) -> Opti
                 let found = references.iter().filter(|thing| surround(&round, &thing.shape) > THRESHOLD).count();
                 (found, absent, found >= 1)
             } else {
-                let holds = |target: &&Thing| {
+                let holds = |target: &&ScoredObject| {
                     let others = references.iter().filter(|reference| !std::ptr::eq(**reference, *target));
                     others.into_iter().any(|other| relation.score(&target.shape, &other.shape) > THRESHOLD)
                 };
@@ -90,13 +94,13 @@ fn verdict<'a>(annotation: &'a Annotation, scene: &Scene, table: &Table) -> Opti
             }
         }
         Says::Place { relation, name, element } => {
-            let place = Place::of(relation, element, table);
+            let place = RoomRelation::of(relation, element, table);
             let openings = scene.openings(kind(element));
             let all = called(name);
-            let holds = |thing: &&&Thing| place.score(&thing.shape, &scene.rooms, &openings) > THRESHOLD;
+            let holds = |thing: &&&ScoredObject| place.score(&thing.shape, &scene.rooms, &openings) > THRESHOLD;
             let found = all.iter().filter(holds).count();
             (found, all.is_empty(), found >= wanted)
         }
     };
-    Some(Verdict { annotation, holds, found, absent })
+    Some(AnnotationVerdict { annotation, holds, found, absent })
 }

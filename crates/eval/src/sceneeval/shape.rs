@@ -19,7 +19,7 @@ pub struct Shape {
 
 /// What is asked of points that are to be on one side of a box.
 #[derive(Clone, Copy, Debug)]
-pub struct Side {
+pub struct SideTest {
     /// 0: right, 1: up, 2: front.
     pub axis: usize,
     /// Whether it is that side, or the opposite one.
@@ -60,7 +60,7 @@ impl Shape {
     }
 
     /// The share of another box's points that are at a side of this one.
-    pub fn share_at(&self, other: &Self, side: Side) -> f64 {
+    pub fn share_at(&self, other: &Self, side: SideTest) -> f64 {
         let sign = if side.positive { 1.0 } else { -1.0 };
         let from = if side.beyond { self.obb.half[side.axis] } else { 0.0 };
         let at = |point: &&Vec3| {

@@ -60,7 +60,7 @@ impl Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sceneeval::places::Place;
+    use crate::sceneeval::places::RoomRelation;
     use crate::sceneeval::relations::Relation;
 
     #[test]
@@ -72,7 +72,9 @@ mod tests {
             let known = match key.split_once(' ') {
                 None => ["synonyms", "kinds", "sizes"].contains(&key.as_str()),
                 Some(("between", name)) => Relation::of(name).is_some(),
-                Some(("said", name)) => Relation::of(name).is_some() || Place::ALL.iter().any(|p| p.name() == name),
+                Some(("said", name)) => {
+                    Relation::of(name).is_some() || RoomRelation::ALL.iter().any(|p| p.name() == name)
+                }
                 Some(("opening", name)) => ["next", "across", "far", "below"].contains(&name),
                 Some(("wall", name)) => ["on", "near"].contains(&name),
                 Some(("room", name)) => ["corner", "middle"].contains(&name),
@@ -82,7 +84,7 @@ mod tests {
             };
             assert!(known, "{key}");
         }
-        for name in Relation::ALL.map(Relation::name).into_iter().chain(Place::ALL.map(Place::name)) {
+        for name in Relation::ALL.map(Relation::name).into_iter().chain(RoomRelation::ALL.map(RoomRelation::name)) {
             assert!(!table.said(name).is_empty(), "{name}");
         }
     }

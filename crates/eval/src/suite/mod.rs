@@ -12,7 +12,7 @@ pub use figures::{Figures, PUBLISHED_CORRECTNESS, PUBLISHED_RESEMBLANCE};
 pub use page::{Page, Picture, page};
 
 use crate::correctness::{direct, grid, iterations, problem, satisfied};
-use crate::dataset::{self, Scene};
+use crate::dataset::{self, DatasetScene};
 use crate::resemblance::{self, Quality, Similarity, TAUS};
 use crate::score::Share;
 use scenelang_llm::Model;
@@ -174,7 +174,7 @@ impl Suite {
 }
 
 /// Resemblance of objects and of constraints at each threshold.
-fn resembling(scene: &Scene, made: &str, by: &dyn Similarity) -> [[[f64; 3]; 3]; 2] {
+fn resembling(scene: &DatasetScene, made: &str, by: &dyn Similarity) -> [[[f64; 3]; 3]; 2] {
     let (objects, clauses) = resemblance::of_scene(scene);
     let made = resemblance::of_program(made);
     let three = |q: Quality| [q.precision, q.recall, q.f1];

@@ -1,7 +1,7 @@
 //! Solution correctness of our search, of the rebuilt floor solver, and of a model that answers by a script.
 
 use scenelang_eval::correctness::{compiled, direct, grid, iterations, laid_out, satisfied};
-use scenelang_eval::dataset::{Scene, scene};
+use scenelang_eval::dataset::{DatasetScene, scene};
 use scenelang_llm::{Error, Model, Reply, Request, Usage};
 use scenelang_solve::Stop;
 use serde_json::{Value, json};
@@ -67,7 +67,7 @@ impl Model for Script {
     }
 }
 
-fn answer(scene: &Scene, change: impl Fn(&str, &mut Value)) -> String {
+fn answer(scene: &DatasetScene, change: impl Fn(&str, &mut Value)) -> String {
     let program = compiled(&scene.program).unwrap();
     let laid = laid_out(&scene.program, SEED, &Stop::default()).unwrap();
     let one = |object: &scenelang_lang::program::Object| {

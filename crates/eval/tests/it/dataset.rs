@@ -1,12 +1,12 @@
 //! The dataset: its shape, its words, its ground truth.
 
-use scenelang_eval::dataset::{SCHEMA, Scene, Statistics, parse, scene, skeleton, solved};
+use scenelang_eval::dataset::{DatasetScene, SCHEMA, Statistics, parse, scene, skeleton, solved};
 use scenelang_solve::Stop;
 use std::collections::{BTreeMap, BTreeSet};
 
 const SEED: u64 = 7;
 
-fn scenes() -> Vec<Scene> {
+fn scenes() -> Vec<DatasetScene> {
     (0..50).map(|number| scene(SEED, number)).collect()
 }
 

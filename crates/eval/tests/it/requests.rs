@@ -1,7 +1,7 @@
 //! The requests of `tests/requests`: their ground truth speaks of what is there, in the words of the request.
 
 use scenelang_eval::Expectation;
-use scenelang_eval::requests::{Reading, Request, read_folder};
+use scenelang_eval::requests::{EvalRequest, Reading, read_folder};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -78,7 +78,7 @@ fn ground_truth_is_well_formed() {
 #[test]
 fn the_reader_reads_the_development_set_well_enough() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/requests/development");
-    let reader = |request: Request<'_>| {
+    let reader = |request: EvalRequest<'_>| {
         // What is added to a room is in no request.
         let options = scenelang_formalize::Options { literal: true };
         let made = scenelang_formalize::formalize(request.text, &options, None).map_err(|e| e.to_string())?;

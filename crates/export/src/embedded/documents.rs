@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 /// A document: `--- !u!CLASS &ANCHOR`, then fields.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Document {
+pub(super) struct UnityDocument {
     /// Unity's number of its class.
     pub class: u32,
     /// What others refer to it by.
@@ -19,7 +19,7 @@ pub(super) struct Document {
 
 const PREFAB_INSTANCE: u32 = 1001;
 
-impl Document {
+impl UnityDocument {
     /// One without fields.
     pub fn new(class: u32, anchor: i64) -> Self {
         Self { class, anchor, ..Self::default() }
@@ -84,8 +84,8 @@ impl Document {
 }
 
 /// The documents of a file.
-pub(super) fn documents(text: &str) -> Vec<Document> {
-    let mut found: Vec<Document> = Vec::new();
+pub(super) fn documents(text: &str) -> Vec<UnityDocument> {
+    let mut found: Vec<UnityDocument> = Vec::new();
     let mut key: Option<String> = None;
     for line in text.lines() {
         if let Some(header) = line.strip_prefix("--- !u!") {
@@ -93,7 +93,7 @@ pub(super) fn documents(text: &str) -> Vec<Document> {
             let class = words.next().and_then(|w| w.parse().ok()).unwrap_or_default();
             let anchor = words.next().and_then(|w| w.strip_prefix('&')?.parse().ok()).unwrap_or_default();
             let is_stripped = words.next() == Some("stripped");
-            found.push(Document { is_stripped, ..Document::new(class, anchor) });
+            found.push(UnityDocument { is_stripped, ..UnityDocument::new(class, anchor) });
             key = None;
             continue;
         }

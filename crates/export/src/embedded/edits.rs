@@ -3,7 +3,7 @@
 //! Numbers of a file are single floats, so what differs by no more than they round is where it was, and keeps its numbers. What
 //! was moved or turned is where it is now; each change is reported by the name that the program has for the thing.
 
-use super::stand::{Place, Standing};
+use super::stand::{FramePose, Standing};
 use nalgebra::Matrix3;
 use scenelang_base::{Diagnostic, FileId, codes};
 use scenelang_layout::{Layout, Part, Placement, Vec3, file, rotation};
@@ -100,7 +100,7 @@ impl Edits {
 
     /// A piece of the building: rooms are not judged by how their walls are drawn.
     fn building(&mut self, thing: &Standing) {
-        let stays = |place: &Place| {
+        let stays = |place: &FramePose| {
             let turned = (place.axes - Matrix3::identity()).amax();
             place.pos.amax() <= SAME && turned <= SAME && (place.scale - Vec3::from_element(1.0)).amax() <= SAME
         };
@@ -122,7 +122,7 @@ pub fn differences(before: &Layout, after: &Layout) -> Vec<String> {
             continue;
         };
         let (axes, scale) = (rotation::matrix(now.rot), now.scale.component_div(&was.scale));
-        let said = changed(&mut was, &Place { pos: now.pos, axes, scale });
+        let said = changed(&mut was, &FramePose { pos: now.pos, axes, scale });
         if !said.is_empty() {
             out.push(format!("`{name}` was {}", said.join(" and ")));
         }
@@ -131,7 +131,7 @@ pub fn differences(before: &Layout, after: &Layout) -> Vec<String> {
 }
 
 /// Takes over what differs, and says what that is.
-fn changed(placement: &mut Placement, place: &Place) -> Vec<String> {
+fn changed(placement: &mut Placement, place: &FramePose) -> Vec<String> {
     let mut said = Vec::new();
     let by = place.pos - placement.pos;
     if (0..3).any(|k| by[k].abs() > SAME + ROUNDED * placement.pos[k].abs()) {

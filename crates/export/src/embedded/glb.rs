@@ -1,7 +1,7 @@
 //! The scene in a GLB file: program and layout in `extras.scenelang` of the scene, objects by `extras.scenelang.id` of
 //! their nodes, or by name where a tool has dropped that.
 
-use super::stand::{Place, Standing, transform};
+use super::stand::{FramePose, Standing, transform};
 use super::{Embedded, embedded, nothing};
 use nalgebra::Matrix4;
 use scenelang_base::Diagnostic;
@@ -64,7 +64,7 @@ impl Walk<'_> {
         let is_object = id.is_some();
         let is_seen = node.get("mesh").is_some();
         if is_object || is_building || is_seen {
-            let place = Place::of(&unmirrored(&here));
+            let place = FramePose::of(&unmirrored(&here));
             let parent = parent.map(str::to_owned);
             self.seen.push(Standing { id, name: name.clone(), parent, is_building, place });
         }

@@ -5,7 +5,7 @@
 //! that Unity gives it, which is made of that of the instance and its own; documents that only stand for one (`stripped`) lead
 //! there. What cannot be read of a prefab (a model file, one that is missing) is known by the changes alone.
 
-use super::documents::{Document, documents, entries, member};
+use super::documents::{UnityDocument, documents, entries, member};
 use super::unity::{GAME_OBJECT, MESH_FILTER, MONO_BEHAVIOUR, TRANSFORM};
 use scenelang_lang::sources::Loader;
 use scenelang_layout::file::decode;
@@ -26,7 +26,7 @@ const FILES: usize = 100_000;
 /// The documents of a file, its instances among them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Expanded {
-    pub documents: Vec<Document>,
+    pub documents: Vec<UnityDocument>,
     /// The game objects that are roots of instances in which there is no object of ours.
     pub foreign: BTreeSet<i64>,
     /// What stands for an object of an instance: by its anchor, that of the object.
@@ -73,13 +73,13 @@ impl<'a> Prefabs<'a> {
     }
 
     /// Puts the instances of a file in among its documents.
-    pub fn expand(&mut self, all: Vec<Document>) -> Expanded {
+    pub fn expand(&mut self, all: Vec<UnityDocument>) -> Expanded {
         self.expand_within(all, 0)
     }
 
-    fn expand_within(&mut self, all: Vec<Document>, depth: usize) -> Expanded {
+    fn expand_within(&mut self, all: Vec<UnityDocument>, depth: usize) -> Expanded {
         let mut out = Expanded::default();
-        let (instances, own): (Vec<Document>, Vec<Document>) =
+        let (instances, own): (Vec<UnityDocument>, Vec<UnityDocument>) =
             all.into_iter().partition(|d| d.class == PREFAB_INSTANCE);
         let mut sources = BTreeMap::new();
         for instance in instances.iter().map(Instance::of) {
@@ -168,7 +168,8 @@ impl Expanded {
     /// Adds the documents of an instance.
     fn put(&mut self, instance: &Instance, source: &Self) {
         let gone = source.without(instance.removed.iter().map(|id| source.meant(*id)).collect());
-        let mut all: Vec<Document> = source.documents.iter().filter(|d| !gone.contains(&d.anchor)).cloned().collect();
+        let mut all: Vec<UnityDocument> =
+            source.documents.iter().filter(|d| !gone.contains(&d.anchor)).cloned().collect();
         let by_anchor: BTreeMap<i64, usize> = all.iter().enumerate().map(|(i, d)| (d.anchor, i)).collect();
         for change in &instance.changes {
             if let Some(&index) = by_anchor.get(&source.meant(change.target)) {
@@ -210,7 +211,7 @@ impl Expanded {
 }
 
 impl Instance {
-    fn of(document: &Document) -> Self {
+    fn of(document: &UnityDocument) -> Self {
         let mut out = Self { anchor: document.anchor, ..Self::default() };
         let id = |value: &str| member(value, "fileID").and_then(|id| id.parse().ok()).unwrap_or_default();
         let mut section = String::new();
@@ -244,14 +245,14 @@ impl Instance {
         // No anchor of a file is so small.
         let object = target("m_Name").unwrap_or(i64::MIN);
         let owner = format!("{{fileID: {object}}}");
-        let mut all = vec![Document::new(GAME_OBJECT, object)];
+        let mut all = vec![UnityDocument::new(GAME_OBJECT, object)];
         all[0].set("m_Name", "an instance of a prefab");
         let placed = target("m_LocalPosition.").unwrap_or(i64::MIN + 1);
         let components =
             [(TRANSFORM, Some(placed)), (MESH_FILTER, Some(i64::MIN + 2)), (MONO_BEHAVIOUR, target("declaration"))];
         for (class, anchor) in components {
             let Some(anchor) = anchor else { continue };
-            let mut component = Document::new(class, anchor);
+            let mut component = UnityDocument::new(class, anchor);
             component.set("m_GameObject", &owner);
             all.push(component);
         }

@@ -18,12 +18,12 @@ pub(super) struct Standing {
     /// Whether it is a piece of the building.
     pub is_building: bool,
     /// Its frame; `None`: that is sheared, or no number.
-    pub place: Option<Place>,
+    pub place: Option<FramePose>,
 }
 
 /// Where a frame is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct FramePose {
     /// Its origin.
     pub pos: Vec3,
     /// How it is turned.
@@ -32,7 +32,7 @@ pub(super) struct Place {
     pub scale: Vec3,
 }
 
-impl Place {
+impl FramePose {
     /// Of a transform that may move, turn and scale, but not shear or mirror.
     pub fn of(transform: &Matrix4<f64>) -> Option<Self> {
         let linear: Matrix3<f64> = transform.fixed_view::<3, 3>(0, 0).into();

@@ -1,9 +1,9 @@
 //! The scene in a Unity project: program and layout as text assets, objects by the script that each of them carries. Poses
 //! are those in relation to the root of the scene, so that all of it may stand anywhere.
 
-use super::documents::{Document, documents};
+use super::documents::{UnityDocument, documents};
 use super::prefab::{Expanded, Prefabs};
-use super::stand::{Place, Standing, transform};
+use super::stand::{FramePose, Standing, transform};
 use super::{Embedded, embedded, nothing};
 use nalgebra::Matrix4;
 use scenelang_base::Diagnostic;
@@ -58,7 +58,7 @@ fn sum(text: &str) -> String {
 
 /// The documents of a scene, by what they refer to.
 struct Things {
-    all: Vec<Document>,
+    all: Vec<UnityDocument>,
     /// By anchor of a game object: its transform.
     transforms: BTreeMap<i64, usize>,
     by_anchor: BTreeMap<i64, usize>,
@@ -68,7 +68,7 @@ struct Things {
 
 impl Things {
     fn new(Expanded { documents: all, foreign, .. }: Expanded) -> Self {
-        let owner = |d: &Document| d.reference("m_GameObject");
+        let owner = |d: &UnityDocument| d.reference("m_GameObject");
         let of = |class: u32| all.iter().enumerate().filter(move |(_, d)| d.class == class);
         let transforms = of(TRANSFORM).filter_map(|(i, d)| Some((owner(d)?, i))).collect();
         let by_anchor = all.iter().enumerate().map(|(i, d)| (d.anchor, i)).collect();
@@ -76,7 +76,7 @@ impl Things {
     }
 
     /// The script of a scene of ours.
-    fn root(&self) -> Option<&Document> {
+    fn root(&self) -> Option<&UnityDocument> {
         self.all.iter().find(|d| d.class == MONO_BEHAVIOUR && d.text("layoutSha256").is_some())
     }
 
@@ -85,7 +85,7 @@ impl Things {
         self.root()?.text("layoutSha256")
     }
 
-    fn get(&self, anchor: i64) -> Option<&Document> {
+    fn get(&self, anchor: i64) -> Option<&UnityDocument> {
         self.by_anchor.get(&anchor).map(|&i| &self.all[i])
     }
 
@@ -93,7 +93,7 @@ impl Things {
         self.get(object).and_then(|d| d.text("m_Name")).unwrap_or_default()
     }
 
-    fn father(&self, transform: &Document) -> Option<&Document> {
+    fn father(&self, transform: &UnityDocument) -> Option<&UnityDocument> {
         transform.reference("m_Father").and_then(|id| self.get(id))
     }
 
@@ -131,14 +131,14 @@ impl Things {
                 name: own,
                 parent: father.cloned().or_else(|| lost.then(|| "the scene".to_owned())),
                 is_building,
-                place: self.within(&self.all[transform], root).and_then(|m| Place::of(&m)),
+                place: self.within(&self.all[transform], root).and_then(|m| FramePose::of(&m)),
             });
         }
         Some(out)
     }
 
     /// The game objects above a transform, nearest first.
-    fn above(&self, transform: &Document) -> Vec<i64> {
+    fn above(&self, transform: &UnityDocument) -> Vec<i64> {
         let mut found = Vec::new();
         let mut at = self.father(transform);
         while let Some(father) = at.filter(|_| found.len() < DEEPEST) {
@@ -149,7 +149,7 @@ impl Things {
     }
 
     /// A transform in relation to that of a game object above it, or to the world where that is not above it.
-    fn within(&self, transform: &Document, root: i64) -> Option<Matrix4<f64>> {
+    fn within(&self, transform: &UnityDocument, root: i64) -> Option<Matrix4<f64>> {
         let mut found = local(transform)?;
         let mut at = self.father(transform);
         for _ in 0..DEEPEST {
@@ -161,7 +161,7 @@ impl Things {
     }
 }
 
-fn local(document: &Document) -> Option<Matrix4<f64>> {
+fn local(document: &UnityDocument) -> Option<Matrix4<f64>> {
     let xyz = ["x", "y", "z"];
     let pos = document.numbers("m_LocalPosition", xyz)?;
     let rot = document.numbers("m_LocalRotation", ["x", "y", "z", "w"])?;

@@ -1,8 +1,8 @@
 //! The scene in a USD layer or package: program and layout in `customLayerData`, objects by what was written into their
 //! prims, or by their label where a tool has dropped that. Poses are those in relation to the root of the scene.
 
-use super::stand::{Place, Standing, transform};
-use super::usda::{Prim, Value as Written, parse};
+use super::stand::{FramePose, Standing, transform};
+use super::usda::{Prim, UsdValue, parse};
 use super::{Embedded, embedded, nothing};
 use nalgebra::{Matrix3, Matrix4, Rotation3};
 use scenelang_base::Diagnostic;
@@ -38,15 +38,15 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let (Some(spec), Some(layout)) = (said("spec"), said("layout")) else {
         return Err(nothing(format!("{name} is a USD file without an embedded program and layout")));
     };
-    let is = |key: &str, usual: &str| root.metadata.get(key).and_then(Written::text).is_none_or(|v| v == usual);
-    let metres = root.metadata.get("metersPerUnit").and_then(Written::numbers::<1>).is_none_or(|[v]| v == 1.0);
+    let is = |key: &str, usual: &str| root.metadata.get(key).and_then(UsdValue::text).is_none_or(|v| v == usual);
+    let metres = root.metadata.get("metersPerUnit").and_then(UsdValue::numbers::<1>).is_none_or(|[v]| v == 1.0);
     if !is("upAxis", "Y") || !metres {
         return Err(nothing(format!("{name} is no longer in metres with y up, so its objects cannot be compared")));
     }
     let imports: Value = said("imports").and_then(|text| serde_json::from_str(text).ok()).unwrap_or_default();
     let found = embedded(format!("{name}/layout.json"), path.join("layout.json"), layout, spec, &imports);
     let mut seen = Vec::new();
-    let main = root.metadata.get("defaultPrim").and_then(Written::text).unwrap_or("World");
+    let main = root.metadata.get("defaultPrim").and_then(UsdValue::text).unwrap_or("World");
     for prim in &root.children {
         if prim.name == main {
             // The whole scene may stand anywhere.
@@ -105,7 +105,7 @@ fn walk(prim: &Prim, above: Option<Matrix4<f64>>, names: &[&str], seen: &mut Vec
         let lost = id.is_some() && names.is_empty();
         let parent = father.map(str::to_owned).or_else(|| lost.then(|| "the scene".to_owned()));
         let parent = parent.filter(|_| id.is_some());
-        let place = here.and_then(|m| Place::of(&unmirrored(&m)));
+        let place = here.and_then(|m| FramePose::of(&unmirrored(&m)));
         seen.push(Standing { id: id.clone(), name, parent, is_building, place });
     }
     let below: Vec<&str> = names.iter().copied().chain([prim.name.as_str()]).collect();
@@ -146,7 +146,7 @@ fn local(prim: &Prim) -> Option<Matrix4<f64>> {
 }
 
 /// `rotateXYZ` turns about x first; `rotateY` about y.
-fn turned(axes: &str, value: &Written) -> Option<Matrix3<f64>> {
+fn turned(axes: &str, value: &UsdValue) -> Option<Matrix3<f64>> {
     let degrees: Vec<f64> = match axes.len() {
         1 => value.numbers::<1>()?.to_vec(),
         3 => value.numbers::<3>()?.to_vec(),

@@ -10,16 +10,16 @@ const MOST: usize = 200_000;
 
 /// A value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Value {
+pub(super) enum UsdValue {
     Number(f64),
     /// A string, or a word as it stands: a token, a path.
     Text(String),
     /// A tuple or a list.
-    List(Vec<Value>),
-    Dictionary(BTreeMap<String, Value>),
+    List(Vec<UsdValue>),
+    Dictionary(BTreeMap<String, UsdValue>),
 }
 
-impl Value {
+impl UsdValue {
     pub fn text(&self) -> Option<&str> {
         match self {
             Self::Text(text) => Some(text),
@@ -29,10 +29,10 @@ impl Value {
 
     /// A tuple of numbers, flattened: a matrix is its rows.
     pub fn numbers<const N: usize>(&self) -> Option<[f64; N]> {
-        fn all(value: &Value, out: &mut Vec<f64>) {
+        fn all(value: &UsdValue, out: &mut Vec<f64>) {
             match value {
-                Value::Number(number) => out.push(*number),
-                Value::List(items) => items.iter().for_each(|item| all(item, out)),
+                UsdValue::Number(number) => out.push(*number),
+                UsdValue::List(items) => items.iter().for_each(|item| all(item, out)),
                 _ => {}
             }
         }
@@ -66,8 +66,8 @@ pub(super) struct Prim {
     pub name: String,
     /// `class`, which is not drawn.
     pub is_class: bool,
-    pub metadata: BTreeMap<String, Value>,
-    pub values: BTreeMap<String, Value>,
+    pub metadata: BTreeMap<String, UsdValue>,
+    pub values: BTreeMap<String, UsdValue>,
     pub children: Vec<Prim>,
 }
 
@@ -342,7 +342,7 @@ impl<'t> Parser<'t> {
     }
 
     /// `name = value`, a line each, or only a text, up to the bracket.
-    fn metadata(&mut self, depth: usize) -> Step<BTreeMap<String, Value>> {
+    fn metadata(&mut self, depth: usize) -> Step<BTreeMap<String, UsdValue>> {
         let mut out = BTreeMap::new();
         let mut name = String::new();
         loop {
@@ -356,20 +356,20 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn value(&mut self, depth: usize) -> Step<Value> {
+    fn value(&mut self, depth: usize) -> Step<UsdValue> {
         if depth > DEEPEST {
             return self.fail("values are nested too deeply");
         }
         match self.solid()? {
-            Token::Text(text) => Ok(Value::Text(text)),
-            Token::Word(word) => Ok(word.parse().map_or_else(|_| Value::Text(word.to_owned()), Value::Number)),
+            Token::Text(text) => Ok(UsdValue::Text(text)),
+            Token::Word(word) => Ok(word.parse().map_or_else(|_| UsdValue::Text(word.to_owned()), UsdValue::Number)),
             Token::Sign(open @ ('(' | '[')) => {
                 let mut items = Vec::new();
                 loop {
                     match self.solid_peek()? {
                         Token::Sign(c) if c == partner(open) => {
                             self.solid()?;
-                            return Ok(Value::List(items));
+                            return Ok(UsdValue::List(items));
                         }
                         Token::Sign(',') => drop(self.solid()?),
                         _ => items.push(self.value(depth + 1)?),
@@ -381,12 +381,12 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn dictionary(&mut self, depth: usize) -> Step<Value> {
+    fn dictionary(&mut self, depth: usize) -> Step<UsdValue> {
         let mut out = BTreeMap::new();
         let mut name = String::new();
         loop {
             match self.solid()? {
-                Token::Sign('}') => return Ok(Value::Dictionary(out)),
+                Token::Sign('}') => return Ok(UsdValue::Dictionary(out)),
                 // Samples over time have a colon, and members of a dictionary a name in quotes where that is no word.
                 Token::Sign('=' | ':') => drop(out.insert(std::mem::take(&mut name), self.value(depth + 1)?)),
                 Token::Word(word) => name = word.trim_end_matches(':').to_owned(),
@@ -436,7 +436,7 @@ mod tests {
         assert_eq!(world.values["material:binding"].text(), Some("/World/Looks/a"));
         let names: Vec<&str> = world.children.iter().map(|p| p.name.as_str()).collect();
         assert_eq!(names, ["inner", "two"]);
-        assert_eq!(world.children[0].values["b"], Value::Number(2.0));
+        assert_eq!(world.children[0].values["b"], UsdValue::Number(2.0));
     }
 
     #[test]

@@ -10,7 +10,7 @@ use scenelang_layout::planar::{Vec2, edges};
 
 /// Triangles of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Group {
+pub struct MeshGroup {
     /// Index into [`crate::Scene::surfaces`].
     pub surface: usize,
     /// Corners, metres, in the frame of whatever owns the mesh.
@@ -23,7 +23,7 @@ pub struct Group {
     pub indices: Vec<u32>,
 }
 
-impl Group {
+impl MeshGroup {
     /// No triangles yet.
     pub fn new(surface: usize) -> Self {
         Self { surface, ..Self::default() }
@@ -72,7 +72,7 @@ impl Group {
 }
 
 /// The volume that outward triangles enclose, cubic metres.
-pub fn enclosed(group: &Group) -> f64 {
+pub fn enclosed(group: &MeshGroup) -> f64 {
     let wide = |p: [f32; 3]| Vec3::from(p.map(f64::from));
     group.triangles().map(|t| t.map(wide)).map(|[a, b, c]| a.dot(&b.cross(&c))).sum::<f64>() / 6.0
 }
@@ -93,10 +93,10 @@ mod tests {
         let l = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0], [2.0, 5.0], [0.0, 5.0]].map(Vec2::from);
         let gon = 12.0 * (std::f64::consts::TAU / 24.0).sin();
         let tetrahedron = vec![Vec3::zeros(), Vec3::x(), Vec3::y(), Vec3::z()];
-        let mut prism = Group::new(0);
+        let mut prism = MeshGroup::new(0);
         prism.prism(&l, 1.0, 3.0);
         let part = |p: Part| {
-            let mut g = Group::new(0);
+            let mut g = MeshGroup::new(0);
             g.solid(&Convex::from_part(&p).unwrap());
             g
         };

@@ -1,11 +1,11 @@
 //! Tangents: which way the first axis of a material runs over a surface, at each corner.
 
-use super::mesh::Group;
+use super::mesh::MeshGroup;
 use scenelang_layout::Vec3;
 
 /// For each corner of a group the direction of u across its normal, and on which side v is: 1 where normal × tangent (the
 /// usual formula) is along v, else −1.
-pub fn tangents(group: &Group) -> Vec<([f32; 3], f32)> {
+pub fn tangents(group: &MeshGroup) -> Vec<([f32; 3], f32)> {
     let wide = |v: [f32; 3]| Vec3::from(v.map(f64::from));
     let mut ways = vec![(Vec3::zeros(), Vec3::zeros()); group.positions.len()];
     for t in group.indices.chunks_exact(3) {
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn tangents_run_along_u_and_v_is_on_their_side() {
-        let mut group = Group::new(0);
+        let mut group = MeshGroup::new(0);
         let outline = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(scenelang_layout::Vec2::from);
         group.prism(&outline, 0.0, 1.0);
         let found = tangents(&group);

@@ -6,7 +6,7 @@
 
 use super::{Writer, triple};
 use crate::geometry::frame::Frame;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::physics::{Body, FRICTION, Geom, Inertia, Joint, Physics, Shape};
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion, Vector3};
 use scenelang_layout::{Motion, Vec3};
@@ -92,7 +92,7 @@ impl Writer<'_> {
                     json!({ "shape": self.shape(json!({ "type": "cylinder", "cylinder": sizes })) })
                 }
                 Shape::Hull(hull) => {
-                    let mut group = Group::new(geom.surface);
+                    let mut group = MeshGroup::new(geom.surface);
                     group.solid(hull);
                     json!({ "node": self.hull(&group), "convexHull": true })
                 }
@@ -114,7 +114,7 @@ impl Writer<'_> {
     }
 
     /// A node with the mesh of a hull, which is in no scene: nobody is to see it.
-    fn hull(&mut self, group: &Group) -> usize {
+    fn hull(&mut self, group: &MeshGroup) -> usize {
         let position = self.positions(group);
         let indices = self.indices(group);
         let mesh = json!({ "primitives": [{ "attributes": { "POSITION": position }, "indices": indices }] });

@@ -2,7 +2,7 @@
 
 use super::{Geom, Inertia};
 use crate::geometry::frame::Frame;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::scene::Object;
 use scenelang_layout::{Convex, Joint as Told, Motion, Vec3};
 
@@ -44,7 +44,7 @@ pub(crate) struct Moving {
     /// Its solid.
     pub geoms: Vec<Geom>,
     /// What is seen of it.
-    pub drawn: Vec<Group>,
+    pub drawn: Vec<MeshGroup>,
     /// Its mass.
     pub inertia: Inertia,
 }
@@ -59,7 +59,7 @@ pub(super) struct Pieces {
     /// The parts that do not move, by index.
     pub fixed: Vec<usize>,
     /// What is seen of them.
-    pub drawn: Vec<Group>,
+    pub drawn: Vec<MeshGroup>,
     /// What moves.
     pub moving: Vec<Moving>,
 }
@@ -113,7 +113,7 @@ const NEAR: f64 = 0.002;
 
 /// The triangles that belong to certain parts; those of no part are asked for as `None`. Where several parts are about a
 /// triangle it belongs to the smallest: a door lies within the box of its cupboard.
-fn seen(object: &Object, wanted: impl Fn(Option<usize>) -> bool) -> Vec<Group> {
+fn seen(object: &Object, wanted: impl Fn(Option<usize>) -> bool) -> Vec<MeshGroup> {
     let volume = |c: &Convex| (c.aabb().max - c.aabb().min).product();
     let part_of = |t: [[f32; 3]; 3]| {
         let corners = t.map(|p| Vec3::from(p.map(f64::from)));
@@ -124,8 +124,8 @@ fn seen(object: &Object, wanted: impl Fn(Option<usize>) -> bool) -> Vec<Group> {
         let near = object.solid.iter().enumerate().filter(|(_, c)| about(c));
         near.min_by(|a, b| f64::total_cmp(&volume(a.1), &volume(b.1))).map(|(index, _)| index)
     };
-    let of = |group: &Group| {
-        let mut out = Group::new(group.surface);
+    let of = |group: &MeshGroup| {
+        let mut out = MeshGroup::new(group.surface);
         for (indices, corners) in group.indices.chunks_exact(3).zip(group.triangles()) {
             if wanted(part_of(corners)) {
                 let first = out.positions.len() as u32;
@@ -160,7 +160,7 @@ mod tests {
         let mass = |b: &Body<'_>| b.inertia.unwrap().mass;
         let sum = mass(body) + body.moving.iter().map(|m| m.inertia.mass).sum::<f64>();
         assert!((mass(&whole) - sum).abs() < 1e-9);
-        let triangles = |groups: &[Group]| groups.iter().map(|g| g.indices.len() / 3).sum::<usize>();
+        let triangles = |groups: &[MeshGroup]| groups.iter().map(|g| g.indices.len() / 3).sum::<usize>();
         let seen = body.moving.iter().map(|m| triangles(&m.drawn)).collect::<Vec<_>>();
         assert_eq!(seen, [12, 12]);
         assert_eq!(triangles(&body.drawn), triangles(&whole.drawn) - 24);

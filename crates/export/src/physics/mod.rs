@@ -16,7 +16,7 @@ pub(crate) use joint::{Joint, Moving, piece_name};
 pub(crate) use shape::{Geom, Shape};
 
 use crate::Scene;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::scene::{Body as Holding, Object, Role, Shell};
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
@@ -41,7 +41,7 @@ pub(crate) struct Body<'a> {
     /// As in the program: `chair[0]`; of the building `office/wall2`.
     pub name: &'a str,
     /// What it is.
-    pub what: What<'a>,
+    pub what: BodyKind<'a>,
     /// Where its frame is.
     pub pos: Vec3,
     /// How its frame is turned.
@@ -51,7 +51,7 @@ pub(crate) struct Body<'a> {
     /// Its solid; empty where it stops nothing.
     pub geoms: Vec<Geom>,
     /// What is seen of it, in its frame.
-    pub drawn: Cow<'a, [Group]>,
+    pub drawn: Cow<'a, [MeshGroup]>,
     /// Mass and how it is distributed; nobody needs to know what the building weighs.
     pub inertia: Option<Inertia>,
     /// What is no part of it and hangs on it.
@@ -60,7 +60,7 @@ pub(crate) struct Body<'a> {
 
 /// What a body is in the scene.
 #[derive(Clone, Copy)]
-pub(crate) enum What<'a> {
+pub(crate) enum BodyKind<'a> {
     /// An object of the program.
     Object(&'a Object),
     /// A piece of the building.
@@ -74,7 +74,7 @@ pub(crate) fn drawn_apart(object: &Object) -> Option<Apart> {
 }
 
 /// Triangles of a body, and of what each joint moves, in the object's frame.
-pub(crate) type Apart = (Vec<Group>, Vec<Vec<Group>>);
+pub(crate) type Apart = (Vec<MeshGroup>, Vec<Vec<MeshGroup>>);
 
 impl<'a> Body<'a> {
     /// An object, and what of it opens.
@@ -83,7 +83,7 @@ impl<'a> Body<'a> {
         let geoms = shape::of_object(object);
         let mut body = Self {
             name: &object.name,
-            what: What::Object(object),
+            what: BodyKind::Object(object),
             pos: object.place.pos,
             axes: object.axes,
             loose,
@@ -104,7 +104,7 @@ impl<'a> Body<'a> {
     fn shell(shell: &'a Shell) -> Self {
         Self {
             name: &shell.name,
-            what: What::Shell(shell),
+            what: BodyKind::Shell(shell),
             pos: Vec3::zeros(),
             axes: Matrix3::identity(),
             loose: false,
@@ -118,17 +118,17 @@ impl<'a> Body<'a> {
     /// The object, if it is one.
     pub fn as_object(&self) -> Option<&'a Object> {
         match self.what {
-            What::Object(object) => Some(object),
-            What::Shell(_) => None,
+            BodyKind::Object(object) => Some(object),
+            BodyKind::Shell(_) => None,
         }
     }
 
     /// What kind of thing it is, in a word: the category, the family of furniture where the program says none, `wall`.
     pub fn category(&self) -> &'a str {
         match self.what {
-            What::Object(object) if object.category.is_empty() => &object.family,
-            What::Object(object) => &object.category,
-            What::Shell(shell) => match shell.role {
+            BodyKind::Object(object) if object.category.is_empty() => &object.family,
+            BodyKind::Object(object) => &object.category,
+            BodyKind::Shell(shell) => match shell.role {
                 Role::Floor | Role::Tint => "floor",
                 Role::Ceiling => "ceiling",
                 Role::Wall { .. } => "wall",
@@ -138,7 +138,7 @@ impl<'a> Body<'a> {
 
     /// Whether it hides the room from an eye above.
     pub fn is_ceiling(&self) -> bool {
-        matches!(self.what, What::Shell(Shell { role: Role::Ceiling, .. }))
+        matches!(self.what, BodyKind::Shell(Shell { role: Role::Ceiling, .. }))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::bands::bands;
 use super::raster::{Buffer, Lens, NOTHING, blend, cover, depths, dot, draw, sub, unit};
-use super::stage::{Look, Stage, Triangle};
+use super::stage::{Stage, Triangle, TriangleLook};
 use crate::scene::View;
 use nalgebra::Matrix3;
 use scenelang_layout::Vec3;
@@ -177,7 +177,7 @@ struct Matter {
 
 impl Matter {
     fn of(stage: &Stage, triangle: &Triangle, spot: &Spot, lens: &Lens) -> Self {
-        let &Look { color, glow, roughness, metallic, cloth, .. } = &stage.looks[usize::from(triangle.look)];
+        let &TriangleLook { color, glow, roughness, metallic, cloth, .. } = &stage.looks[usize::from(triangle.look)];
         let plain = Self { color, glow, roughness, metallic, normal: spot.normal };
         let Some(cloth) = cloth else { return plain };
         let at = triangle.weave.map(|[x, y, z, shift]| dot([x, y, z], spot.place) + shift);

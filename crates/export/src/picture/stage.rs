@@ -3,7 +3,7 @@
 use super::cloth::Cloth;
 use super::raster::{cross, dot, sub};
 use crate::Scene;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::geometry::polygon::outward;
 use crate::glb::linear;
 use crate::scene::shell::{Role, Shell};
@@ -37,7 +37,7 @@ const LOW: f64 = 0.3;
 
 /// How a triangle looks.
 #[derive(Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct TriangleLook {
     /// Linear light reflected.
     pub color: [f32; 3],
     /// Linear light given off.
@@ -70,7 +70,7 @@ pub(super) struct Triangle {
 /// All that is in the picture.
 #[derive(Default)]
 pub(super) struct Stage {
-    pub looks: Vec<Look>,
+    pub looks: Vec<TriangleLook>,
     pub triangles: Vec<Triangle>,
     /// Height of what the building stands on.
     pub ground: f32,
@@ -132,7 +132,7 @@ impl Stage {
                 let section = self.section_look(surface);
                 let top = height_left(scene, shell, view).map_or(f64::INFINITY, |left| left + bottom(shell));
                 for piece in shell.pieces.iter().filter(|p| p.low < top) {
-                    let mut prism = Group::new(0);
+                    let mut prism = MeshGroup::new(0);
                     prism.prism(&piece.polygon, piece.low, piece.high.min(top));
                     let first = self.triangles.len();
                     self.group(&prism, look, false, |p| p);
@@ -197,7 +197,7 @@ impl Stage {
         self.triangles.extend([[a, c, b], [a, e, c]].map(flat));
     }
 
-    fn group(&mut self, group: &Group, look: u16, shadow: bool, place: impl Fn(Vec3) -> Vec3) {
+    fn group(&mut self, group: &MeshGroup, look: u16, shadow: bool, place: impl Fn(Vec3) -> Vec3) {
         let wide = |v: [f32; 3]| Vec3::from(v.map(f64::from));
         let narrow = |v: Vec3| [v.x as f32, v.y as f32, v.z as f32];
         let origin = place(Vec3::zeros());
@@ -221,7 +221,7 @@ impl Stage {
     fn look(&mut self, surface: &Surface) -> u16 {
         let texture = Texture::of(surface);
         let color = surface.color.map(|c| linear(c) as f32);
-        self.looks.push(Look {
+        self.looks.push(TriangleLook {
             color: texture.map_or(color, |t| t.pixels().factor(color)),
             glow: surface.emissive.map_or([0.0; 3], |e| e.map(|c| linear(c) as f32)),
             roughness: texture.map_or(surface.roughness, |t| rough_factor(t.pixels(), surface.roughness)),

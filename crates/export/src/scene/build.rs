@@ -1,10 +1,10 @@
 //! From program, layout and report to a [`Scene`].
 
 use super::dress::{Dresser, Wardrobe};
-use super::memory::{Look, Memory};
+use super::memory::{Memory, ObjectLook};
 use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
-use super::{Body, Lamp, Object, Region, RegionKind, Row, Scene, opening};
-use crate::geometry::mesh::Group;
+use super::{Body, Lamp, Object, Region, RegionKind, ReportRow, Scene, opening};
+use crate::geometry::mesh::MeshGroup;
 use crate::names::Stems;
 use scenelang_assets::{Light, Mesh, Surface};
 use scenelang_base::{FileId, SourceMap, Span};
@@ -116,7 +116,7 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>, memory: &Memory) -> 
 }
 
 /// The rows of the report, and which of them mention each object by name.
-fn rows(input: &SceneInput<'_>) -> (Vec<Row>, BTreeMap<String, Vec<usize>>) {
+fn rows(input: &SceneInput<'_>) -> (Vec<ReportRow>, BTreeMap<String, Vec<usize>>) {
     let program = input.program;
     // The report names the deciding instance only; the program knows all the objects that a statement reads.
     let stated: BTreeMap<String, &program::Constraint> =
@@ -136,7 +136,7 @@ fn rows(input: &SceneInput<'_>) -> (Vec<Row>, BTreeMap<String, Vec<usize>>) {
                 mentions.entry(object.name.to_string()).or_default().push(index);
             }
         }
-        rows.push(Row { id, kind: text(row, "kind"), satisfied: row["satisfied"].as_bool() });
+        rows.push(ReportRow { id, kind: text(row, "kind"), satisfied: row["satisfied"].as_bool() });
     }
     (rows, mentions)
 }
@@ -198,11 +198,11 @@ fn object(
     let under = regions.iter().zip(floors).filter(|(r, _)| r.prism.polygon.contains(place.pos.xz()));
     let floor = under.max_by_key(|(r, _)| r.kind == RegionKind::Zone).map(|(_, floor)| floor);
     let look = match own(&name) {
-        Some(mesh) => Arc::new(Look::own(declared, place, floor, mesh)),
+        Some(mesh) => Arc::new(ObjectLook::own(declared, place, floor, mesh)),
         None => memory.look(declared, place, floor),
     };
     let surfaces: Vec<usize> = look.surfaces.iter().map(|surface| wardrobe.add(surface.clone())).collect();
-    let worn = |group: &Group| Group { surface: surfaces[group.surface], ..group.clone() };
+    let worn = |group: &MeshGroup| MeshGroup { surface: surfaces[group.surface], ..group.clone() };
     let axes = rotation::matrix(place.rot);
     let allow = &input.program.allow;
     let is = |other: &program::ObjectId| other.0 as usize == id;

@@ -1,8 +1,10 @@
 //! How things look: furniture from the asset library, and the surfaces of rooms from what the program says of them.
 
 use super::RegionKind;
-use crate::geometry::mesh::Group;
-use scenelang_assets::{Asset, Light, Mesh, Request, Surface, covering, furnish, on_floor, on_wall, stand_out, toned};
+use crate::geometry::mesh::MeshGroup;
+use scenelang_assets::{
+    Asset, AssetRequest, Light, Mesh, Surface, covering, furnish, on_floor, on_wall, stand_out, toned,
+};
 use scenelang_lang::program;
 use scenelang_layout::{Convex, Placement};
 use std::collections::BTreeMap;
@@ -21,7 +23,7 @@ pub(super) struct Wardrobe {
 #[derive(Debug)]
 pub(super) struct Dressed {
     pub family: String,
-    pub mesh: Vec<Group>,
+    pub mesh: Vec<MeshGroup>,
     pub lights: Vec<Light>,
 }
 
@@ -49,7 +51,7 @@ impl Wardrobe {
         own: Option<&Mesh>,
         floor: Option<&Surface>,
     ) -> Dressed {
-        let mut asset = furnish(&Request {
+        let mut asset = furnish(&AssetRequest {
             name: &declared.name,
             category: &declared.category,
             color: &declared.color,
@@ -71,15 +73,15 @@ impl Wardrobe {
         } else {
             // The layout has parts of its own: a picture of something else would not show what was verified.
             let surface = asset.mesh.groups.into_iter().next().map_or_else(Dresser::ground, |g| g.surface);
-            let mut group = Group::new(self.add(surface));
+            let mut group = MeshGroup::new(self.add(surface));
             solid.iter().for_each(|body| group.solid(body));
             vec![group]
         };
         Dressed { family: asset.family.to_owned(), mesh, lights }
     }
 
-    fn group(&mut self, from: scenelang_assets::Group) -> Group {
-        Group {
+    fn group(&mut self, from: scenelang_assets::MeshGroup) -> MeshGroup {
+        MeshGroup {
             surface: self.add(from.surface),
             positions: from.positions,
             normals: from.normals,

@@ -21,14 +21,14 @@ pub struct Memory(Mutex<Known>);
 #[derive(Debug, Default)]
 struct Known {
     /// Each look by what it is made from, with the number of the last scene that has it.
-    looks: BTreeMap<Vec<u8>, (Arc<Look>, u64)>,
+    looks: BTreeMap<Vec<u8>, (Arc<ObjectLook>, u64)>,
     scenes: u64,
     drawn: usize,
 }
 
 /// How an object looks, in its own frame.
 #[derive(Debug)]
-pub(super) struct Look {
+pub(super) struct ObjectLook {
     /// The number of the look: see [`super::Object::look`].
     pub id: u64,
     /// What `dressed` and `looks` index.
@@ -59,7 +59,12 @@ impl Memory {
     }
 
     /// The look of an object of the furniture library.
-    pub(super) fn look(&self, declared: &program::Object, place: &Placement, floor: Option<&Surface>) -> Arc<Look> {
+    pub(super) fn look(
+        &self,
+        declared: &program::Object,
+        place: &Placement,
+        floor: Option<&Surface>,
+    ) -> Arc<ObjectLook> {
         let key = key(declared, place, floor);
         {
             let mut known = self.known();
@@ -69,7 +74,7 @@ impl Memory {
                 return Arc::clone(look);
             }
         }
-        let look = Arc::new(Look::draw(number(&key), declared, place, floor, None));
+        let look = Arc::new(ObjectLook::draw(number(&key), declared, place, floor, None));
         let mut known = self.known();
         known.drawn += 1;
         let scenes = known.scenes;
@@ -89,7 +94,7 @@ impl Memory {
     }
 }
 
-impl Look {
+impl ObjectLook {
     /// Draws an object; `own`: what it looks like if the furniture library does not draw it.
     fn draw(
         id: u64,

@@ -17,7 +17,7 @@ pub use opening::Opening;
 pub use shell::{Role, Shell};
 pub use view::View;
 
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use memory::Tops;
 use nalgebra::Matrix3;
 use scenelang_assets::{Light, Surface};
@@ -38,7 +38,7 @@ pub struct Scene {
     /// The report on it (language book: JSON report), as it came.
     pub report: serde_json::Value,
     /// What exporters need of the report's rows, in its order.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ReportRow>,
     /// All surfaces, each once; groups refer to them by index.
     pub surfaces: Vec<Surface>,
     /// In order of declaration.
@@ -55,7 +55,7 @@ pub struct Scene {
 
 /// A row of the report.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct ReportRow {
     /// `room.scene:12:1`, `P-COLLIDE:a:b`.
     pub id: String,
     /// `assert`, `prefer`, `pin`, `collision`, …
@@ -64,7 +64,7 @@ pub struct Row {
     pub satisfied: Option<bool>,
 }
 
-impl Row {
+impl ReportRow {
     /// Whether something that must hold fails (a preference may).
     pub fn violated(&self) -> bool {
         self.satisfied == Some(false) && self.kind != "prefer"
@@ -102,7 +102,7 @@ pub struct Object {
     /// A number for all that its look is made from. Objects of the same number have the same mesh, lights, solid and weights.
     pub look: u64,
     /// Its triangles by surface, in its own frame.
-    pub mesh: Vec<Group>,
+    pub mesh: Vec<MeshGroup>,
     /// What light it gives, in its own frame.
     pub lights: Vec<Light>,
     /// Its convex parts, or its box, in its own frame: what the verifier judged.

@@ -1,6 +1,6 @@
 //! What of an object opens, and the floor that it sweeps on the way.
 
-use super::{Object, Row};
+use super::{Object, ReportRow};
 use nalgebra::{Rotation3, Unit};
 use scenelang_lang::opening::{Opened, asserted};
 use scenelang_lang::program::{Node, ObjectId, Program};
@@ -62,7 +62,7 @@ pub(super) fn demands(program: &Program, fails: impl Fn(usize) -> bool) -> Vec<D
 }
 
 /// All openings of the object with a number, in the order of its joints.
-pub(super) fn openings(id: usize, object: &Object, rows: &[Row], demands: &[Demand]) -> Vec<Opening> {
+pub(super) fn openings(id: usize, object: &Object, rows: &[ReportRow], demands: &[Demand]) -> Vec<Opening> {
     // Parts that do not fill the box are not those that were judged.
     if object.place.parts.len() != object.solid.len() {
         return Vec::new();
@@ -80,7 +80,7 @@ pub(super) fn openings(id: usize, object: &Object, rows: &[Row], demands: &[Dema
             joint: index,
             amount,
             asked: joint.useful.is_some() || asked.is_some(),
-            blocked: rule.is_some_and(Row::violated) || own().any(|d| d.fails),
+            blocked: rule.is_some_and(ReportRow::violated) || own().any(|d| d.fails),
             swept: if stands { swept(object, joint, amount) } else { Vec::new() },
         }
     };
@@ -139,8 +139,11 @@ mod tests {
         let mut scene = cupboard();
         assert!(!plan::svg(&scene).contains("data-swept"), "nobody says how far");
         scene.objects[0].place.joints[0].useful = Some(90.0);
-        let row =
-            |part: &str| Row { id: format!("P-OPEN:cupboard/{part}"), kind: "opening".into(), satisfied: Some(false) };
+        let row = |part: &str| ReportRow {
+            id: format!("P-OPEN:cupboard/{part}"),
+            kind: "opening".into(),
+            satisfied: Some(false),
+        };
         for (part, mark) in [("drawer", ""), ("door", r#" data-violated="true""#)] {
             scene.objects[0].openings = openings(0, &scene.objects[0], &[row(part)], &[]);
             let svg = plan::svg(&scene);
@@ -158,7 +161,7 @@ mod tests {
         };
         let mut scene = cupboard();
         scene.objects[0].place.joints[0].useful = Some(90.0);
-        let amounts = |demands: &[Demand], rows: &[Row]| {
+        let amounts = |demands: &[Demand], rows: &[ReportRow]| {
             let found = openings(1, &scene.objects[0], rows, demands);
             [&found[0], &found[1]].map(|opening| (opening.amount, opening.asked, opening.blocked))
         };
@@ -181,7 +184,7 @@ mod tests {
             assert_eq!(amounts(&demands_of(assertion), &[]), [door, drawer], "{assertion}");
         }
         // The rule demands no more than the program does.
-        let row = Row { id: "P-OPEN:cupboard/door".into(), kind: "opening".into(), satisfied: Some(true) };
+        let row = ReportRow { id: "P-OPEN:cupboard/door".into(), kind: "opening".into(), satisfied: Some(true) };
         let demands = demands_of("assert opens(cupboard, 60deg);");
         assert_eq!(amounts(&demands, &[row])[0].0, 60.0);
     }

@@ -1,6 +1,6 @@
 //! What encloses a room: floor and ceiling slabs, and walls of real thickness with holes for doors and windows.
 
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::geometry::polygon::{offset, outward};
 use scenelang_layout::planar::edges;
 use scenelang_layout::{Prism, Vec2, Vec3};
@@ -23,9 +23,9 @@ pub struct Shell {
     /// What it is.
     pub role: Role,
     /// How it looks.
-    pub group: Group,
+    pub group: MeshGroup,
     /// The prisms it consists of.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<WallPrism>,
     /// Boxes that stop things (walls only; floors and ceilings stop things by their triangles, a tint stops nothing).
     pub boxes: Vec<Slab>,
 }
@@ -50,7 +50,7 @@ pub enum Role {
 
 /// An upright prism over a convex quadrilateral.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Piece {
+pub struct WallPrism {
     /// Counterclockwise: the inner edge's ends first, then the outer edge's, backwards.
     pub polygon: Vec<Vec2>,
     /// Height of its lower face.
@@ -169,9 +169,9 @@ pub fn open(name: &str, prism: &Prism, thickness: f64, zone: bool, surface: usiz
 }
 
 fn slab(region: &str, part: &str, role: Role, polygon: &[Vec2], (low, high): (f64, f64), surface: usize) -> Shell {
-    let mut group = Group::new(surface);
+    let mut group = MeshGroup::new(surface);
     group.prism(polygon, low, high);
-    let pieces = vec![Piece { polygon: polygon.to_vec(), low, high }];
+    let pieces = vec![WallPrism { polygon: polygon.to_vec(), low, high }];
     Shell { name: format!("{region}/{part}"), region: Some(region.to_owned()), role, group, pieces, boxes: Vec::new() }
 }
 
@@ -188,13 +188,13 @@ struct Wall {
 
 impl Wall {
     fn shell(&self, region: &str, number: usize, holes: &[Hole], surface: usize) -> Shell {
-        let mut group = Group::new(surface);
+        let mut group = MeshGroup::new(surface);
         let mut pieces = Vec::new();
         let mut boxes = Vec::new();
         for (left, right, low, high) in self.solid_rectangles(holes) {
             let polygon = self.strip(left, right);
             group.prism(&polygon, low, high);
-            pieces.push(Piece { polygon, low, high });
+            pieces.push(WallPrism { polygon, low, high });
             boxes.push(self.collider(left, right, low, high));
         }
         let role = Role::Wall { from: self.from, to: self.to };
@@ -291,7 +291,7 @@ mod tests {
     }
 
     fn face_area(shell: &Shell) -> f64 {
-        let wall = |p: &Piece| (p.polygon[1] - p.polygon[0]).norm() * (p.high - p.low);
+        let wall = |p: &WallPrism| (p.polygon[1] - p.polygon[0]).norm() * (p.high - p.low);
         shell.pieces.iter().map(wall).sum()
     }
 

@@ -5,7 +5,7 @@
 //! and never more than if it were solid through and through. What is soft, or grows, counts as solid, with the density that
 //! it has with all its air.
 
-use crate::geometry::mesh::{Group, enclosed};
+use crate::geometry::mesh::{MeshGroup, enclosed};
 use scenelang_assets::Surface;
 use scenelang_layout::{Convex, Vec3};
 
@@ -51,14 +51,14 @@ const NEAR: f64 = 0.002;
 pub(super) fn weight(part: &Convex, surface: &Surface) -> f64 {
     let word = surface.name.split('-').next().unwrap_or_default();
     let (_, density, skin) = MATERIALS.iter().find(|(name, ..)| *name == word).copied().unwrap_or(MATERIALS[0]);
-    let mut group = Group::new(0);
+    let mut group = MeshGroup::new(0);
     group.solid(part);
     let area: f64 = group.triangles().map(area).sum();
     (density * enclosed(&group).min(area * skin)).max(LIGHTEST)
 }
 
 /// For each part the surface of most of what is drawn within it; where nothing is, of most of the thing.
-pub(super) fn looks(parts: &[Convex], mesh: &[Group]) -> Vec<usize> {
+pub(super) fn looks(parts: &[Convex], mesh: &[MeshGroup]) -> Vec<usize> {
     let triangles: Vec<(usize, Vec3, f64)> =
         mesh.iter().flat_map(|group| group.triangles().map(|t| (group.surface, middle(t), area(t)))).collect();
     let most = |within: &dyn Fn(&Vec3) -> bool| {
@@ -138,7 +138,7 @@ mod tests {
     fn a_part_looks_like_what_is_drawn_in_it() {
         let (top, leg) = (part(Vec3::new(1.0, 0.1, 1.0)), part(Vec3::new(0.1, 0.9, 0.1)));
         let leg = leg.moved(&nalgebra::Matrix3::identity(), &Vec3::new(0.0, -0.9, 0.0));
-        let mut mesh = [Group::new(3), Group::new(5)];
+        let mut mesh = [MeshGroup::new(3), MeshGroup::new(5)];
         mesh[0].solid(&top);
         mesh[1].solid(&leg);
         let bare = part(Vec3::repeat(0.1)).moved(&nalgebra::Matrix3::identity(), &Vec3::new(9.0, 0.0, 0.0));

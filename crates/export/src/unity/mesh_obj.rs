@@ -3,12 +3,12 @@
 //! Unity's importer negates x and turns triangles round, so that is how they are written. No `g` and `o` lines: then
 //! the file holds one mesh, and each `usemtl` is one submesh in order of appearance.
 
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::obj::to_tenths;
 use std::fmt::Write;
 
 /// The file of some groups; `material` names the surface of a group.
-pub(super) fn obj(groups: &[Group], material: impl Fn(usize) -> String) -> String {
+pub(super) fn obj(groups: &[MeshGroup], material: impl Fn(usize) -> String) -> String {
     let mut out = String::from("# x is negated: importers that read OBJ into a left-handed frame negate it back\n");
     let mut first = 1;
     for group in groups {

@@ -4,10 +4,10 @@ use super::component::{self, class};
 use super::joint;
 use super::project::mesh_of;
 use super::scene::{Writer, lamp};
-use super::tree::{Child, Layer, Node, narrow};
+use super::tree::{Child, GameObject, Layer, narrow};
 use super::yaml::{Map, Yaml, local, map, none, vector};
 use crate::Scene;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::physics::{Body as Jointed, Moving, piece_name};
 use crate::scene::{Body, Lamp, Object};
 use nalgebra::Matrix3;
@@ -18,7 +18,7 @@ const GRIP: f64 = 0.06;
 
 impl Writer<'_> {
     /// An object where it stands; files of its meshes have the name of the asset.
-    pub fn object(&mut self, object: &Object, asset: &str) -> Node {
+    pub fn object(&mut self, object: &Object, asset: &str) -> GameObject {
         let mut node = self.made(object, &key(object), asset, Some(object));
         object.name.clone_into(&mut node.name);
         node.pos = object.place.pos;
@@ -27,13 +27,13 @@ impl Writer<'_> {
     }
 
     /// What all objects of an asset have in common, at the origin, made from one of them.
-    pub fn bare(&mut self, object: &Object, key: &str, asset: &str) -> Node {
+    pub fn bare(&mut self, object: &Object, key: &str, asset: &str) -> GameObject {
         self.made(object, key, asset, None)
     }
 
     /// An object at the origin. Scripts speak of the named one, or of none.
-    fn made(&mut self, object: &Object, key: &str, asset: &str, named: Option<&Object>) -> Node {
-        let mut node = Node::new(key, "");
+    fn made(&mut self, object: &Object, key: &str, asset: &str, named: Option<&Object>) -> GameObject {
+        let mut node = GameObject::new(key, "");
         node.fixed = object.body == Body::Static;
         node.place_on(if node.fixed { Layer::Opening } else { Layer::Furniture });
         let whole = Jointed::object(object);
@@ -71,12 +71,12 @@ impl Writer<'_> {
     /// What moves against an object, closed, in the frame of the object; without its colliders.
     fn piece(
         &mut self,
-        owner: &Node,
+        owner: &GameObject,
         asset: &str,
         index: usize,
         (piece, told, named): (&Moving, &Told, Option<&Object>),
-    ) -> Node {
-        let mut node = Node::new(format!("{}/joint{index}", owner.key), told.name.clone());
+    ) -> GameObject {
+        let mut node = GameObject::new(format!("{}/joint{index}", owner.key), told.name.clone());
         node.tag = "Part";
         self.drawn(&mut node, &format!("{asset}.joint{index}"), &piece.drawn);
         node.add(class::RIGIDBODY, "Rigidbody", component::rigidbody(piece.inertia.mass, false, self.editor));
@@ -86,7 +86,7 @@ impl Writer<'_> {
             Motion::Slide => node.add(class::CONFIGURABLE_JOINT, "ConfigurableJoint", joint::slide(&piece.joint, to)),
         }
         let grip = told.handle.map(|handle| {
-            let mut grip = Node::new(format!("{}/handle", node.key), "handle");
+            let mut grip = GameObject::new(format!("{}/handle", node.key), "handle");
             grip.pos = handle;
             grip.place_on(Layer::Handle);
             grip.add(class::BOX_COLLIDER, "BoxCollider", component::box_trigger(Vec3::zeros(), Vec3::repeat(GRIP)));
@@ -112,7 +112,7 @@ impl Writer<'_> {
     }
 
     /// Makes visible what there is to see.
-    fn drawn(&mut self, node: &mut Node, stem: &str, groups: &[Group]) {
+    fn drawn(&mut self, node: &mut GameObject, stem: &str, groups: &[MeshGroup]) {
         if !groups.is_empty() {
             let mesh = self.mesh(&format!("Objects/{stem}"), groups);
             self.show(node, &mesh, groups);
@@ -120,9 +120,9 @@ impl Writer<'_> {
     }
 
     /// A box that stands straight sits on the object itself, a turned one on a child, any other body is a convex mesh.
-    fn collider(&mut self, node: &mut Node, (key, asset, i): (&str, &str, usize), body: &Convex) {
+    fn collider(&mut self, node: &mut GameObject, (key, asset, i): (&str, &str, usize), body: &Convex) {
         let Some(Obb { center, axes, half }) = body.as_box() else {
-            let mut group = Group::new(0);
+            let mut group = MeshGroup::new(0);
             group.solid(body);
             let mesh = self.mesh(&format!("Objects/{asset}.hull{i}"), &[group]);
             node.add(class::MESH_COLLIDER, "MeshCollider", component::mesh_collider(mesh_of(&mesh), true));
@@ -132,7 +132,7 @@ impl Writer<'_> {
             node.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(*center, half * 2.0));
             return;
         }
-        let mut child = Node::new(key, format!("part{i}"));
+        let mut child = GameObject::new(key, format!("part{i}"));
         child.pos = *center;
         child.axes = *axes;
         child.add(class::BOX_COLLIDER, "BoxCollider", component::box_collider(Vec3::zeros(), half * 2.0));

@@ -6,7 +6,7 @@
 
 use super::object::{key, told};
 use super::scene::Writer;
-use super::tree::{Change, Child, Instance, Node, pose, prefab_file};
+use super::tree::{Change, Child, GameObject, Instance, pose, prefab_file};
 use super::yaml::Yaml;
 use crate::names::Stems;
 use crate::physics::piece_name;
@@ -22,7 +22,7 @@ const LONGEST: usize = 40;
 /// A prefab that was written.
 struct Prefab {
     guid: String,
-    root: Node,
+    root: GameObject,
 }
 
 /// What objects are made of: files of meshes, and the prefab, have its name.
@@ -76,7 +76,7 @@ impl Writer<'_> {
 }
 
 /// The parts of a prefab that move, in the order of its joints.
-fn pieces(root: &Node) -> impl Iterator<Item = &Node> {
+fn pieces(root: &GameObject) -> impl Iterator<Item = &GameObject> {
     root.children.iter().filter_map(|child| match child {
         Child::Node(node) if node.tag == "Part" => Some(node),
         _ => None,

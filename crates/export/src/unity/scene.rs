@@ -4,13 +4,13 @@
 use super::component::{self, Shine, class};
 use super::editor::Editor;
 use super::project::{Project, mesh_of};
-use super::tree::{Child, Layer, Node, scene_file};
+use super::tree::{Child, GameObject, Layer, scene_file};
 use super::yaml::{Yaml, asset, map};
 use super::{Material, mesh_obj};
 use crate::Scene;
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::names::Stems;
-use crate::scene::{Lamp, Role, Row, Shell, View, view};
+use crate::scene::{Lamp, ReportRow, Role, Shell, View, view};
 use nalgebra::{Matrix3, UnitQuaternion};
 use scenelang_layout::{Vec3, rotation};
 use serde_json::{Value, json};
@@ -46,7 +46,7 @@ pub(super) struct Writer<'a> {
 impl Writer<'_> {
     /// The `.unity` file.
     pub fn write(&mut self, texts: &Texts) -> Vec<u8> {
-        let mut root = Node::new("scene", self.scene.name.clone());
+        let mut root = GameObject::new("scene", self.scene.name.clone());
         root.add(
             class::MONO_BEHAVIOUR,
             "MonoBehaviour",
@@ -65,10 +65,10 @@ impl Writer<'_> {
         // The corridor that the navigation mesh is baked for is that of the settings below.
         let walker = map! { "radius" => component::RADIUS, "height" => component::HEIGHT, "step" => component::STEP };
         root.add(class::MONO_BEHAVIOUR, "MonoBehaviour", component::script(&self.scripts.nav_mesh, walker));
-        let mut building = Node::new("building", "Building");
+        let mut building = GameObject::new("building", "Building");
         building.fixed = true;
         building.children = self.scene.shells.iter().filter_map(|s| self.shell(s)).map(Child::Node).collect();
-        let mut furniture = Node::new("objects", "Objects");
+        let mut furniture = GameObject::new("objects", "Objects");
         furniture.children = self.objects();
         root.children = vec![building.into(), furniture.into()];
         let mut roots = vec![root, sun(self.editor), camera(self.scene)];
@@ -77,13 +77,13 @@ impl Writer<'_> {
         scene_file(|stream| component::settings(stream, self.editor), &roots)
     }
 
-    fn shell(&mut self, shell: &Shell) -> Option<Node> {
+    fn shell(&mut self, shell: &Shell) -> Option<GameObject> {
         if shell.group.indices.is_empty() {
             return None;
         }
         let stem = self.stems.take(&shell.name);
         let mesh = self.mesh(&format!("Building/{stem}"), std::slice::from_ref(&shell.group));
-        let mut node = Node::new(format!("shell:{}", shell.name), shell.name.replace('/', " "));
+        let mut node = GameObject::new(format!("shell:{}", shell.name), shell.name.replace('/', " "));
         node.fixed = true;
         match shell.role {
             Role::Floor => node.place_on(Layer::Floor),
@@ -99,7 +99,7 @@ impl Writer<'_> {
             }
             Role::Wall { .. } => {
                 for (i, slab) in shell.boxes.iter().enumerate() {
-                    let mut child = Node::new(format!("shell:{}/{i}", shell.name), format!("piece{i}"));
+                    let mut child = GameObject::new(format!("shell:{}/{i}", shell.name), format!("piece{i}"));
                     child.fixed = true;
                     child.pos = slab.center;
                     child.axes = rotation::matrix(Vec3::new(0.0, slab.yaw, 0.0));
@@ -113,21 +113,21 @@ impl Writer<'_> {
     }
 
     /// Adds an OBJ file; returns its GUID.
-    pub fn mesh(&mut self, path: &str, groups: &[Group]) -> String {
+    pub fn mesh(&mut self, path: &str, groups: &[MeshGroup]) -> String {
         let text = mesh_obj::obj(groups, |surface| self.materials[surface].name.clone());
         self.project.asset(&format!("Assets/Scenelang/Meshes/{path}.obj"), text)
     }
 
     /// Makes a mesh visible, a material for each of its groups.
-    pub fn show(&self, node: &mut Node, mesh: &str, groups: &[Group]) {
+    pub fn show(&self, node: &mut GameObject, mesh: &str, groups: &[MeshGroup]) {
         let materials = groups.iter().map(|g| asset(2_100_000, &self.materials[g.surface].guid, 2)).collect();
         node.add(class::MESH_FILTER, "MeshFilter", component::mesh_filter(mesh_of(mesh)));
         node.add(class::MESH_RENDERER, "MeshRenderer", component::mesh_renderer(materials));
     }
 }
 
-fn sun(editor: Editor) -> Node {
-    let mut node = Node::new("light:sun", "Sun");
+fn sun(editor: Editor) -> GameObject {
+    let mut node = GameObject::new("light:sun", "Sun");
     // Lights in Unity shine along +z.
     node.axes = UnitQuaternion::rotation_between(&Vec3::z(), &view::SUN)
         .map_or_else(Matrix3::identity, |q| *q.to_rotation_matrix().matrix());
@@ -136,16 +136,16 @@ fn sun(editor: Editor) -> Node {
     node
 }
 
-pub(super) fn lamp(lamp: &Lamp, key: String, name: &str, editor: Editor) -> Node {
-    let mut node = Node::new(key, name);
+pub(super) fn lamp(lamp: &Lamp, key: String, name: &str, editor: Editor) -> GameObject {
+    let mut node = GameObject::new(key, name);
     node.pos = lamp.pos;
     node.add(class::LIGHT, "Light", component::light(&Shine::Lamp(lamp), editor));
     node
 }
 
-fn camera(scene: &Scene) -> Node {
+fn camera(scene: &Scene) -> GameObject {
     let view = View::within(scene);
-    let mut node = Node::new("camera", "Main Camera");
+    let mut node = GameObject::new("camera", "Main Camera");
     node.pos = view.eye;
     node.axes = view.axes();
     node.tag = "MainCamera";
@@ -165,7 +165,7 @@ fn sha256(text: &str) -> String {
 /// The rows of the report, and which objects may overlap, as the scripts read them: Unity's reader of JSON fills in classes, and knows no null.
 pub(super) fn rows(scene: &Scene) -> String {
     let told = scene.report["constraints"].as_array().map(Vec::as_slice).unwrap_or_default();
-    let row = |(row, told): (&Row, &Value)| {
+    let row = |(row, told): (&ReportRow, &Value)| {
         let text = |key: &str| told[key].as_str().unwrap_or_default();
         let texts =
             |key: &str| -> Vec<&str> { told[key].as_array().into_iter().flatten().filter_map(Value::as_str).collect() };

@@ -7,7 +7,7 @@ use nalgebra::Matrix3;
 use scenelang_layout::{Vec3, rotation};
 
 /// A game object.
-pub(super) struct Node {
+pub(super) struct GameObject {
     /// What its identities are made from; unique in the scene.
     pub key: String,
     /// As shown in the editor.
@@ -31,13 +31,13 @@ pub(super) struct Node {
 /// What is below a game object.
 pub(super) enum Child {
     /// Another one, written out.
-    Node(Node),
+    Node(GameObject),
     /// An instance of a prefab.
     Instance(Instance),
 }
 
-impl From<Node> for Child {
-    fn from(node: Node) -> Self {
+impl From<GameObject> for Child {
+    fn from(node: GameObject) -> Self {
         Self::Node(node)
     }
 }
@@ -166,7 +166,7 @@ pub(super) struct Component {
     pub fields: Map,
 }
 
-impl Node {
+impl GameObject {
     /// An object at the origin, without components.
     pub fn new(key: impl Into<String>, name: impl Into<String>) -> Self {
         Self {
@@ -261,14 +261,14 @@ pub(super) fn pose(pos: Vec3, axes: &Matrix3<f64>) -> [(String, Yaml); 3] {
 }
 
 /// A prefab file: one tree.
-pub(super) fn prefab_file(root: &Node) -> Vec<u8> {
+pub(super) fn prefab_file(root: &GameObject) -> Vec<u8> {
     let mut stream = Stream::new();
     root.write(&mut stream, 0, None);
     stream.into_bytes()
 }
 
 /// The scene file: settings, the trees, and the list of their roots.
-pub(super) fn scene_file(settings: impl FnOnce(&mut Stream), roots: &[Node]) -> Vec<u8> {
+pub(super) fn scene_file(settings: impl FnOnce(&mut Stream), roots: &[GameObject]) -> Vec<u8> {
     let mut stream = Stream::new();
     settings(&mut stream);
     for root in roots {

@@ -4,7 +4,7 @@
 use super::looks::{Looks, PLACES};
 use super::text::{Usda, scalar, schemas, triple, triples};
 use super::{FRAME, leaf, place};
-use crate::geometry::mesh::Group;
+use crate::geometry::mesh::MeshGroup;
 use crate::names::Identifiers;
 use crate::obj::to_tenths;
 use crate::physics::{Geom, Physics, Shape};
@@ -22,7 +22,7 @@ pub(super) struct Shapes<'a> {
 
 /// What is drawn, and the solid.
 struct Body<'a> {
-    drawn: &'a [Group],
+    drawn: &'a [MeshGroup],
     geoms: &'a [Geom],
     /// Where it is, if several bodies have it.
     shared: Option<String>,
@@ -49,7 +49,7 @@ impl<'a> Use<'a> {
 /// A shape to be written.
 pub(super) struct Own<'a> {
     pub looks: &'a Looks,
-    pub drawn: &'a [Group],
+    pub drawn: &'a [MeshGroup],
     pub geoms: &'a [Geom],
 }
 
@@ -138,7 +138,7 @@ struct Welded {
 
 impl Welded {
     /// The meshes of a group: as few as there can be where solids that touch are in different ones.
-    fn of(group: &Group) -> Vec<Self> {
+    fn of(group: &MeshGroup) -> Vec<Self> {
         let mut out: Vec<Self> = Vec::new();
         // Solids come one after the other; one has ended when every edge was run both ways.
         let mut solid = Self::default();
@@ -237,7 +237,7 @@ fn collider(out: &mut Usda, name: &str, geom: &Geom) {
         }
         Shape::Hull(hull) => {
             out.begin("def Mesh", name, &[schemas(&[solid, "PhysicsMeshCollisionAPI"])]);
-            let mut group = Group::new(geom.surface);
+            let mut group = MeshGroup::new(geom.surface);
             group.solid(hull);
             // A convex body is one solid.
             if let Some(mesh) = Welded::of(&group).first() {
@@ -262,7 +262,7 @@ mod tests {
             let half = Vec3::repeat(0.5);
             Convex::from_box(&Obb { center: Vec3::new(x, 0.0, 0.0), axes: Matrix3::identity(), half })
         };
-        let mut group = Group::new(0);
+        let mut group = MeshGroup::new(0);
         [0.0, 1.0, 5.0].iter().for_each(|&x| group.solid(&block(x)));
         let counts: Vec<_> = Welded::of(&group).iter().map(|m| (m.points.len(), m.corners.len())).collect();
         assert_eq!(counts, [(16, 72), (8, 36)]);

@@ -1,6 +1,6 @@
 //! Two rooms, a zone, furniture of every kind of body, and a report with one violation.
 
-use scenelang_assets::{Request, furnish};
+use scenelang_assets::{AssetRequest, furnish};
 use scenelang_base::{FileId, SourceMap};
 use scenelang_export::{BuildError, Scene, SceneInput};
 use scenelang_lang::program::Program;
@@ -76,11 +76,11 @@ pub fn named(name: &str) -> Parts {
     assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
     for (object, (_, place)) in program.objects.iter().zip(&mut read.layout.objects) {
         if place.parts.is_empty() && object.name != "balloon" {
-            let asset = furnish(&Request {
+            let asset = furnish(&AssetRequest {
                 name: &object.name,
                 category: &object.category,
                 size: Some(place.scale),
-                ..Request::default()
+                ..AssetRequest::default()
             });
             place.parts = asset.parts;
         }

@@ -68,7 +68,7 @@ fn obj_has_the_triangles_of_all_things_in_the_world() {
     let scene = scene();
     let files = files(&obj::Obj, &scene);
     let text = &files["obj/room.obj"];
-    let triangles = |groups: &[scenelang_export::Group]| groups.iter().map(|g| g.indices.len() / 3).sum::<usize>();
+    let triangles = |groups: &[scenelang_export::MeshGroup]| groups.iter().map(|g| g.indices.len() / 3).sum::<usize>();
     let drawn = scene.objects.iter().map(|o| triangles(&o.mesh)).sum::<usize>()
         + scene.shells.iter().map(|s| s.group.indices.len() / 3).sum::<usize>();
     assert_eq!(text.lines().filter(|l| l.starts_with("f ")).count(), drawn);

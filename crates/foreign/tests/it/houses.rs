@@ -4,7 +4,7 @@
 use crate::written::House;
 use scenelang_base::FileId;
 use scenelang_engine::check_layout_text;
-use scenelang_foreign::{Beside, Foreign, Kind, RoomFile, Sizes, read, recognise};
+use scenelang_foreign::{Beside, FileKind, Foreign, RoomFile, Sizes, read, recognise};
 use scenelang_layout::{Layout, file, rotation};
 use scenelang_verify::{Checked, Options};
 use serde_json::{Value, json};
@@ -79,7 +79,7 @@ fn houses_of_procthor() {
     for seed in 0..20 {
         let house = House::new(seed, 1 + seed as usize % 4);
         let scene = taken(&house.procthor(seed % 2 == 0), &sizes(&house.database()));
-        assert_eq!(scene.kind, Kind::House);
+        assert_eq!(scene.kind, FileKind::House);
         compare(&house, &scene, house.rooms.len(), house.openings.len());
         assert_eq!(codes(&judged(&scene)), Vec::<String>::new(), "{}", scene.program);
     }
@@ -130,13 +130,13 @@ fn rooms_and_layouts_of_layoutvlm() {
         let [task, poses] = house.layoutvlm();
         let room = RoomFile::read(&task.to_string(), FileId(1)).unwrap();
         let scene = taken(&poses, &Beside { room: Some(room), ..Beside::default() });
-        assert_eq!(scene.kind, Kind::Poses);
+        assert_eq!(scene.kind, FileKind::Poses);
         compare(&house, &scene, 1, 0);
         assert_eq!(codes(&judged(&scene)), Vec::<String>::new(), "{}", scene.program);
         let mut both = task.clone();
         both["layout"] = poses.clone();
         let whole = taken(&both, &Beside::default());
-        assert_eq!((whole.kind, &whole.layout), (Kind::Task, &scene.layout));
+        assert_eq!((whole.kind, &whole.layout), (FileKind::Task, &scene.layout));
         // By itself a layout has no room, and things have the usual sizes.
         let alone = taken(&poses, &Beside::default());
         let checked = judged(&alone);
@@ -150,7 +150,7 @@ fn scene_states() {
         let house = House::new(300 + seed, 1 + seed as usize % 3);
         let value = house.scene_state(seed % 2 == 0);
         let scene = taken(&value, &sizes(&house.database()));
-        assert_eq!(scene.kind, Kind::SceneState);
+        assert_eq!(scene.kind, FileKind::SceneState);
         compare(&house, &scene, house.rooms.len(), house.openings.len());
         assert_eq!(codes(&judged(&scene)), Vec::<String>::new(), "{}", scene.program);
         // Nobody says what the things are: then they are not there, and that is said.

@@ -1,6 +1,6 @@
 //! A fact of a brief: what is said of things, by itself, with others, or about their place in the room.
 
-use super::Source;
+use super::ThingOrigin;
 use serde::{Deserialize, Serialize};
 
 /// Something said of things.
@@ -11,7 +11,7 @@ pub struct Fact {
     /// Of how many of these, where there are several.
     pub subject: Quantifier,
     /// What is said.
-    pub what: What,
+    pub what: FactKind,
     /// With how many of the things on the other side, where there are several.
     pub object: Quantifier,
     /// A preference.
@@ -19,12 +19,12 @@ pub struct Fact {
     /// It is denied.
     pub not: bool,
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
 }
 
 impl Fact {
     /// A demand that is not denied, and of which nobody says how many it is of.
-    pub fn new(of: Vec<usize>, what: What, source: Source) -> Self {
+    pub fn new(of: Vec<usize>, what: FactKind, source: ThingOrigin) -> Self {
         let usual = Quantifier::Usual;
         Self { of, subject: usual, what, object: usual, soft: false, not: false, source }
     }
@@ -47,7 +47,7 @@ pub enum Quantifier {
 
 /// What is said.
 #[derive(Clone, Debug, PartialEq)]
-pub enum What {
+pub enum FactKind {
     /// A relation to things.
     Rel(Rel, Vec<usize>),
     /// At a place of the room; which one.
@@ -74,7 +74,7 @@ pub enum What {
     Pattern(Pattern),
 }
 
-impl What {
+impl FactKind {
     /// The things on the other side, if there is one.
     pub fn objects(&self) -> Option<&[usize]> {
         match self {

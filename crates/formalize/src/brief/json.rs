@@ -3,7 +3,9 @@
 
 mod said;
 
-use super::{Brief, Clause, Group, Look, MOST_COUNT, MOST_THINGS, Note, Number, Part, Pick, Room, Source, Thing, Word};
+use super::{
+    Brief, Clause, Group, Look, MOST_COUNT, MOST_THINGS, Note, Number, Pick, Room, Subset, Thing, ThingOrigin, Word,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -201,12 +203,12 @@ fn bytes(at: &Range<usize>) -> [usize; 2] {
 }
 
 impl WireSource {
-    fn of(source: &Source, request: &str) -> Self {
+    fn of(source: &ThingOrigin, request: &str) -> Self {
         match source {
-            Source::Stated(at) => {
+            ThingOrigin::Stated(at) => {
                 Self::Stated { bytes: bytes(at), words: request.get(at.clone()).unwrap_or("").to_owned() }
             }
-            Source::Inferred(why) => Self::Inferred(why.clone()),
+            ThingOrigin::Inferred(why) => Self::Inferred(why.clone()),
         }
     }
 }
@@ -368,10 +370,12 @@ impl Scope<'_> {
         }
     }
 
-    fn source(&self, path: &str, source: WireSource) -> Result<Source, String> {
+    fn source(&self, path: &str, source: WireSource) -> Result<ThingOrigin, String> {
         Ok(match source {
-            WireSource::Stated { bytes, .. } => Source::Stated(self.bytes(&format!("{path}.stated.bytes"), bytes)?),
-            WireSource::Inferred(why) => Source::Inferred(why),
+            WireSource::Stated { bytes, .. } => {
+                ThingOrigin::Stated(self.bytes(&format!("{path}.stated.bytes"), bytes)?)
+            }
+            WireSource::Inferred(why) => ThingOrigin::Inferred(why),
         })
     }
 
@@ -428,7 +432,7 @@ impl Scope<'_> {
                 if of >= own {
                     return Err(format!("{path}.part.of: \"{}\" must come before its part", part.of));
                 }
-                Some(Part { of, pick: part.pick })
+                Some(Subset { of, pick: part.pick })
             }
             None => None,
         };

@@ -13,9 +13,9 @@ pub mod json;
 mod room;
 mod thing;
 
-pub use fact::{Dim, Fact, Op, Pattern, Place, Quantifier, Rel, Side, What};
+pub use fact::{Dim, Fact, FactKind, Op, Pattern, Place, Quantifier, Rel, Side};
 pub use room::Room;
-pub use thing::{Group, Look, Number, Part, Pick, Source, Thing};
+pub use thing::{Group, Look, Number, Pick, Subset, Thing, ThingOrigin};
 
 use std::ops::Range;
 
@@ -176,9 +176,9 @@ impl Brief {
     }
 
     /// The indices of some of a thing.
-    pub fn elements(&self, part: &Part) -> Vec<usize> {
+    pub fn elements(&self, part: &Subset) -> Vec<usize> {
         let rows = self.facts.iter().find_map(|f| match f.what {
-            What::Pattern(Pattern::Rows(n)) if f.of.contains(&part.of) => Some(n),
+            FactKind::Pattern(Pattern::Rows(n)) if f.of.contains(&part.of) => Some(n),
             _ => None,
         });
         part.pick.indices(self.count(part.of), rows.unwrap_or(1))
@@ -186,12 +186,12 @@ impl Brief {
 
     /// Some of a thing, as a thing of its own; the same each time.
     pub fn part(&mut self, of: usize, pick: Pick, at: Range<usize>) -> usize {
-        let part = Part { of, pick };
+        let part = Subset { of, pick };
         if let Some(known) = self.things.iter().position(|i| i.part.as_ref() == Some(&part)) {
             return known;
         }
         let number = if self.elements(&part).len() > 1 { Number::Plural } else { Number::Unsaid };
-        let thing = Thing { number, part: Some(part), source: Source::Stated(at), ..self.things[of].clone() };
+        let thing = Thing { number, part: Some(part), source: ThingOrigin::Stated(at), ..self.things[of].clone() };
         self.things.push(thing);
         self.things.len() - 1
     }

@@ -1,6 +1,6 @@
 //! A room of a brief.
 
-use super::{Look, Source};
+use super::{Look, ThingOrigin};
 
 /// A room, as far as the request describes it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,5 +24,5 @@ pub struct Room {
     /// The look of its walls.
     pub walls: Look,
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
 }

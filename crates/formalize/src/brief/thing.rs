@@ -28,9 +28,9 @@ pub struct Thing {
     /// Width, height and depth, where they are said.
     pub size: [Option<f64>; 3],
     /// Where it comes from.
-    pub source: Source,
+    pub source: ThingOrigin,
     /// Set where this is no thing of its own, but some of another: "the first exit", "two of them".
-    pub part: Option<Part>,
+    pub part: Option<Subset>,
 }
 
 /// How many there are of a thing, as the request says it.
@@ -127,20 +127,20 @@ pub struct Look {
 
 /// Where something comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum ThingOrigin {
     /// The request says so, in these bytes.
     Stated(Range<usize>),
     /// Rooms of the kind need it, or the world does: the sentence says why.
     Inferred(String),
 }
 
-impl Default for Source {
+impl Default for ThingOrigin {
     fn default() -> Self {
         Self::Stated(0..0)
     }
 }
 
-impl Source {
+impl ThingOrigin {
     /// The bytes of the request; empty where it does not say so.
     pub fn at(&self) -> Range<usize> {
         match self {
@@ -160,7 +160,7 @@ impl Source {
 
 /// Some of several like things.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct Subset {
     /// The thing, an index.
     pub of: usize,
     /// Which of it.

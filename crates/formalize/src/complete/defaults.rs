@@ -1,6 +1,6 @@
 //! What follows from what is said: seats for people, a fence around a robot.
 
-use crate::brief::{Brief, Fact, Group, Look, Number, Rel, Source, Thing, What};
+use crate::brief::{Brief, Fact, FactKind, Group, Look, Number, Rel, Thing, ThingOrigin};
 use crate::furnish::{FENCED, kinds};
 use crate::read::lexicon::{get, plural, singular};
 
@@ -52,7 +52,7 @@ pub fn seats(brief: &mut Brief) {
         }
     };
     let id = push(brief, brief.things[table].room, "chair", people, &why);
-    brief.facts.push(Fact::new(vec![id], What::Rel(Rel::Around, vec![table]), Source::Inferred(why)));
+    brief.facts.push(Fact::new(vec![id], FactKind::Rel(Rel::Around, vec![table]), ThingOrigin::Inferred(why)));
 }
 
 /// The robot of a cell works behind a fence. Several share one only where the request says how.
@@ -87,7 +87,7 @@ pub(super) fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why
         places: None,
         look: Look::default(),
         size: [None; 3],
-        source: Source::Inferred(why.to_owned()),
+        source: ThingOrigin::Inferred(why.to_owned()),
         part: None,
     });
     brief.things.len() - 1

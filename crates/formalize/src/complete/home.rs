@@ -2,7 +2,7 @@
 //! where things are that are said to be "in the flat".
 
 use super::defaults::push;
-use crate::brief::{Brief, Group, Room, Source, What};
+use crate::brief::{Brief, FactKind, Group, Room, ThingOrigin};
 use crate::furnish::kinds;
 use crate::furnish::number::{Scale, scale as said_scale};
 use crate::read::lexicon::get;
@@ -97,7 +97,7 @@ fn has(brief: &Brief, kinds: &[&str]) -> bool {
 fn add(brief: &mut Brief, name: &str, why: &str) {
     let ruled_out = brief.absent.iter().any(|(absent, _)| absent == name);
     if !ruled_out {
-        brief.rooms.push(Room { name: name.into(), source: Source::Inferred(why.into()), ..Room::default() });
+        brief.rooms.push(Room { name: name.into(), source: ThingOrigin::Inferred(why.into()), ..Room::default() });
     }
 }
 
@@ -166,7 +166,7 @@ fn divide(brief: &mut Brief, at: usize) {
     }
     for fact in &brief.facts {
         let of: Vec<usize> = fact.of.iter().chain(fact.what.objects().unwrap_or(&[])).copied().collect();
-        if !matches!(fact.what, What::Gap(..)) || of.len() == 2 {
+        if !matches!(fact.what, FactKind::Gap(..)) || of.len() == 2 {
             of.windows(2).for_each(|pair| join(pair[0], pair[1]));
         }
     }

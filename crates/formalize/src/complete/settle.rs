@@ -1,7 +1,7 @@
 //! What the words of a request leave open about where small things are: a mouse beside a keyboard is on the keyboard's desk,
 //! a novel "on" a bookcase is in it, a wallet on the left of a desk lies on it. Read before sizes and statements are made.
 
-use crate::brief::{Brief, Fact, Group, Rel, What};
+use crate::brief::{Brief, Fact, FactKind, Group, Rel};
 use crate::read::lexicon::get;
 use crate::text::sentence;
 use scenelang_lang::library::usual_size;
@@ -42,7 +42,7 @@ const CHAIN: usize = 4;
 /// "An island and a window over the sink": of several things only those are over another that can be, if there are any.
 fn hang(brief: &mut Brief) {
     for k in 0..brief.facts.len() {
-        if !matches!(brief.facts[k].what, What::Rel(Rel::Above, _)) || brief.facts[k].of.len() < 2 {
+        if !matches!(brief.facts[k].what, FactKind::Rel(Rel::Above, _)) || brief.facts[k].of.len() < 2 {
             continue;
         }
         let hangs = |a: &usize| {
@@ -71,7 +71,7 @@ pub fn settle(brief: &mut Brief) {
     let mut added: Vec<(usize, Fact)> = Vec::new();
     for k in 0..brief.facts.len() {
         let fact = &brief.facts[k];
-        let What::Rel(rel, to) = &fact.what else { continue };
+        let FactKind::Rel(rel, to) = &fact.what else { continue };
         let ([b], false) = (to.as_slice(), fact.not) else { continue };
         let words = sentence(&brief.request, &fact.source.at()).to_lowercase();
         let top = fact.of.iter().all(|a| brief.things[*a].group == Group::Top);
@@ -79,24 +79,24 @@ pub fn settle(brief: &mut Brief) {
             Rel::LeftOf | Rel::RightOf
                 if top && has_top(brief, *b) && (on_side(&words) || carries_in(brief, *b, &fact.of, &words)) =>
             {
-                added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
+                added.push((k, Fact { what: FactKind::Rel(Rel::On, vec![*b]), ..fact.clone() }));
                 if *rel == Rel::LeftOf { Rel::OnLeft } else { Rel::OnRight }
             }
             Rel::On if shelved(brief, *b) && !on_top(&words) && fact.of.iter().all(|a| shelvable(brief, *a)) => Rel::In,
             Rel::On if last(brief, *b, &THIN) && !on_top(&words) => {
                 let Some(c) = carrier(brief, *b).filter(|c| !fact.of.contains(c)) else { continue };
-                brief.facts[k].what = What::Rel(Rel::On, vec![c]);
+                brief.facts[k].what = FactKind::Rel(Rel::On, vec![c]);
                 continue;
             }
             // "a desk with a laptop on it and a lamp beside it"
             Rel::Beside if top && has_top(brief, *b) && carries_in(brief, *b, &fact.of, &words) => Rel::On,
             Rel::Centre => {
-                added.push((k, Fact { what: What::Rel(Rel::On, vec![*b]), ..fact.clone() }));
+                added.push((k, Fact { what: FactKind::Rel(Rel::On, vec![*b]), ..fact.clone() }));
                 continue;
             }
             _ => continue,
         };
-        brief.facts[k].what = What::Rel(new, vec![*b]);
+        brief.facts[k].what = FactKind::Rel(new, vec![*b]);
     }
     for (k, fact) in added.into_iter().rev() {
         brief.facts.insert(k, fact);
@@ -120,7 +120,7 @@ fn has_top(brief: &Brief, b: usize) -> bool {
 /// Whether a sentence says of another small thing than these that it is on a thing.
 fn carries_in(brief: &Brief, b: usize, but: &[usize], words: &str) -> bool {
     brief.facts.iter().filter(|f| !f.not && !f.of.iter().any(|a| but.contains(a))).any(|f| {
-        let on = matches!(&f.what, What::Rel(Rel::On | Rel::Centre | Rel::OnLeft | Rel::OnRight, to) if to == &[b]);
+        let on = matches!(&f.what, FactKind::Rel(Rel::On | Rel::Centre | Rel::OnLeft | Rel::OnRight, to) if to == &[b]);
         let small = || f.of.iter().all(|a| brief.things[*a].group == Group::Top);
         on && small() && sentence(&brief.request, &f.source.at()).to_lowercase() == words
     })
@@ -145,15 +145,15 @@ fn is_small(brief: &Brief, a: usize) -> bool {
     // "a cup on the desk stands next to a gadget"
     let met = |f: &Fact| {
         !f.not
-            && matches!(&f.what, What::Rel(Rel::Beside | Rel::LeftOf | Rel::RightOf, to) if to.contains(&a))
+            && matches!(&f.what, FactKind::Rel(Rel::Beside | Rel::LeftOf | Rel::RightOf, to) if to.contains(&a))
             && f.of.iter().all(|b| group(b) == Group::Top && carrier(brief, *b).is_some())
     };
     if brief.facts.iter().any(met) {
         return true;
     }
     brief.facts.iter().filter(|f| !f.not && f.of.contains(&a)).any(|f| match &f.what {
-        What::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
-        What::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
+        FactKind::Rel(Rel::On | Rel::In | Rel::Centre, to) => to.iter().all(carries),
+        FactKind::Rel(Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind, to) => {
             let carried = |b: &usize| brief.things[*b].is_small_plant() && carrier(brief, *b).is_some();
             to.iter().all(|b| group(b) == Group::Top || carried(b))
         }
@@ -175,7 +175,7 @@ fn last(brief: &Brief, b: usize, kinds: &[&str]) -> bool {
 /// What a thing is said to be on; not a rug.
 fn carrier(brief: &Brief, a: usize) -> Option<usize> {
     brief.facts.iter().filter(|f| !f.not && f.of.contains(&a)).find_map(|f| match &f.what {
-        What::Rel(Rel::On, on) => on.first().copied().filter(|c| brief.things[*c].group != Group::Flat),
+        FactKind::Rel(Rel::On, on) => on.first().copied().filter(|c| brief.things[*c].group != Group::Flat),
         _ => None,
     })
 }
@@ -190,7 +190,7 @@ fn shelvable(brief: &Brief, a: usize) -> bool {
 /// Of a small thing beside another small thing, or that has one beside it: on what that is on.
 fn beside(brief: &Brief, k: usize) -> Option<Fact> {
     let fact = &brief.facts[k];
-    let What::Rel(
+    let FactKind::Rel(
         Rel::Beside | Rel::Near | Rel::LeftOf | Rel::RightOf | Rel::InFrontOf | Rel::Behind | Rel::Around,
         to,
     ) = &fact.what
@@ -198,8 +198,11 @@ fn beside(brief: &Brief, k: usize) -> Option<Fact> {
         return None;
     };
     let placed = |a: &usize| {
-        let says = |what: &What| {
-            matches!(what, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | What::Place(..))
+        let says = |what: &FactKind| {
+            matches!(
+                what,
+                FactKind::Rel(Rel::On | Rel::In | Rel::Under | Rel::Hang | Rel::Mounted, _) | FactKind::Place(..)
+            )
         };
         brief.facts.iter().any(|f| !f.not && f.of.contains(a) && says(&f.what))
     };
@@ -222,6 +225,6 @@ fn beside(brief: &Brief, k: usize) -> Option<Fact> {
     if of.contains(&on) {
         return None;
     }
-    let what = What::Rel(Rel::On, vec![on]);
+    let what = FactKind::Rel(Rel::On, vec![on]);
     Some(Fact { soft: fact.soft, ..Fact::new(of.clone(), what, fact.source.clone()) })
 }

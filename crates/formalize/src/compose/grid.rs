@@ -1,6 +1,6 @@
 //! Things in rows: how many rows and columns, and how far from one to the next.
 
-use crate::brief::{Brief, Group, Pattern, Rel, Side, What};
+use crate::brief::{Brief, FactKind, Group, Pattern, Rel, Side};
 
 /// Rows and columns; the first stands at the left of the first row, rows follow towards -z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,14 +27,14 @@ const RACKS: (f64, f64) = (0.02, 2.4);
 pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
     let n = brief.count(a);
     let rows = brief.facts.iter().find_map(|f| match f.what {
-        What::Pattern(Pattern::Rows(r)) if f.of == [a] => Some(r),
-        What::Pattern(Pattern::Row) if f.of == [a] => Some(1),
+        FactKind::Pattern(Pattern::Rows(r)) if f.of == [a] => Some(r),
+        FactKind::Pattern(Pattern::Row) if f.of == [a] => Some(1),
         _ => None,
     });
     let said = rows.is_some();
     let middle = middle(brief, sizes, a);
     let seats = brief.facts.iter().any(|f| {
-        matches!(&f.what, What::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
+        matches!(&f.what, FactKind::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
             && brief.things[f.of[0]].group == Group::Seat
     });
     // Tables with their seats stand in rows where nothing else is said.
@@ -53,8 +53,8 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         !f.not
             && f.of.contains(&a)
             && match &f.what {
-                What::Place(_, place, _) => !matches!(place, crate::brief::Place::Middle),
-                What::Rel(rel, _) => !matches!(
+                FactKind::Place(_, place, _) => !matches!(place, crate::brief::Place::Middle),
+                FactKind::Rel(rel, _) => !matches!(
                     rel,
                     Rel::Facing
                         | Rel::InFrontOf
@@ -77,12 +77,12 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         && brief
             .facts
             .iter()
-            .any(|f| f.of == [a] && !f.not && matches!(f.what, What::Rel(Rel::LeftOf | Rel::RightOf, _)));
+            .any(|f| f.of == [a] && !f.not && matches!(f.what, FactKind::Rel(Rel::LeftOf | Rel::RightOf, _)));
     let rows = if aside { n } else { rows.min(n) };
     let columns = n.div_ceil(rows);
     let [mut beside, mut behind] = steps(brief, sizes, a);
-    let backs =
-        rows == 2 && brief.facts.iter().any(|f| matches!(f.what, What::Pattern(Pattern::BackToBack)) && f.of == [a]);
+    let backs = rows == 2
+        && brief.facts.iter().any(|f| matches!(f.what, FactKind::Pattern(Pattern::BackToBack)) && f.of == [a]);
     if backs {
         behind = 0.02;
     }
@@ -120,11 +120,11 @@ fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
     for f in &brief.facts {
         let own = f.of.contains(&a);
         match &f.what {
-            What::Among(_, v) if own => (beside, behind) = (beside.max(*v + 0.02), behind.max(*v + 0.02)),
-            What::Rows(_, v) if own => behind = behind.max(*v + 0.02),
-            What::Clear(Side::Behind | Side::Front, v) if own => behind = behind.max(*v + 0.1),
+            FactKind::Among(_, v) if own => (beside, behind) = (beside.max(*v + 0.02), behind.max(*v + 0.02)),
+            FactKind::Rows(_, v) if own => behind = behind.max(*v + 0.02),
+            FactKind::Clear(Side::Behind | Side::Front, v) if own => behind = behind.max(*v + 0.1),
             // Seats take their place: between the rows, or at the sides.
-            What::Rel(rel, to) if to.contains(&a) && brief.things[f.of[0]].group == Group::Seat => {
+            FactKind::Rel(rel, to) if to.contains(&a) && brief.things[f.of[0]].group == Group::Seat => {
                 let seat = sizes[f.of[0]];
                 match rel {
                     Rel::Around | Rel::At => {
@@ -135,7 +135,7 @@ fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
                     _ => {}
                 }
                 for g in brief.facts.iter().filter(|g| g.of == f.of) {
-                    if let What::Clear(_, v) = g.what {
+                    if let FactKind::Clear(_, v) = g.what {
                         behind = behind.max(seat[2] + v + 0.5);
                     }
                 }
@@ -156,7 +156,7 @@ fn spread(n: usize) -> usize {
 fn middle(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> f64 {
     let room = brief.things[a].room;
     let there =
-        brief.facts.iter().filter(|f| !f.not && matches!(f.what, What::Place(_, crate::brief::Place::Middle, _)));
+        brief.facts.iter().filter(|f| !f.not && matches!(f.what, FactKind::Place(_, crate::brief::Place::Middle, _)));
     let items = there.flat_map(|f| f.of.iter()).filter(|o| **o != a && brief.things[**o].room == room);
     items.map(|o| sizes[*o][0].max(sizes[*o][2])).fold(0.0, f64::max)
 }
@@ -164,7 +164,7 @@ fn middle(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> f64 {
 /// Whether something is said of where each of them is.
 fn crowded(brief: &Brief, a: usize) -> bool {
     brief.facts.iter().any(|f| match &f.what {
-        What::Gap(..) | What::Pattern(_) => f.of.contains(&a),
+        FactKind::Gap(..) | FactKind::Pattern(_) => f.of.contains(&a),
         _ => false,
     })
 }

@@ -6,17 +6,17 @@ mod sizes;
 mod state;
 mod usual;
 
-use crate::brief::{Brief, Group, Look, Rel, What, too_many};
-use crate::draft::{Draft, Note, Opening, OpeningKind, Room, Source, Surface, Thing};
+use crate::brief::{Brief, FactKind, Group, Look, Rel, too_many};
+use crate::draft::{Draft, DraftRoom, DraftThing, Note, Opening, OpeningKind, Surface, ThingOrigin};
 use crate::furnish::{GATE, kinds};
-use crate::names::{Names, identifier};
+use crate::names::{GivenNames, identifier};
 
 /// Kinds of rooms that have no ceiling.
 const OPEN_AIR: [&str; 3] = ["balcony", "terrace", "garden"];
 
 /// The draft of a brief.
 pub fn compose(brief: &Brief) -> Draft {
-    let mut names = Names::default();
+    let mut names = GivenNames::default();
     let sizes = sizes::things(brief);
     let mut room_sizes = sizes::rooms(brief, &sizes);
     let mut draft = Draft { request: brief.request.clone(), ..Draft::default() };
@@ -75,7 +75,7 @@ pub fn compose(brief: &Brief) -> Draft {
 }
 
 /// What the rooms are called in the program; several of a name are told apart by numbers.
-fn room_names(brief: &Brief, names: &mut Names) -> Vec<String> {
+fn room_names(brief: &Brief, names: &mut GivenNames) -> Vec<String> {
     let wanted: Vec<String> = brief.rooms.iter().map(|room| identifier(&room.name, "room")).collect();
     let numbered = |at: usize| {
         let nth = wanted[..=at].iter().filter(|name| **name == wanted[at]).count();
@@ -86,7 +86,7 @@ fn room_names(brief: &Brief, names: &mut Names) -> Vec<String> {
 }
 
 /// What each thing is called in the program: an array by one name, of several doors each by its own.
-fn called(brief: &Brief, names: &mut Names, counts: &[usize], sizes: &mut [[f64; 3]]) -> Vec<Vec<String>> {
+fn called(brief: &Brief, names: &mut GivenNames, counts: &[usize], sizes: &mut [[f64; 3]]) -> Vec<Vec<String>> {
     let mut given: Vec<Vec<String>> = Vec::new();
     for (i, item) in brief.things.iter().enumerate() {
         let name = identifier(&item.name(), "thing");
@@ -143,7 +143,7 @@ fn declare(
                 });
             }
         } else {
-            draft.things.push(Thing {
+            draft.things.push(DraftThing {
                 name: given[i][0].clone(),
                 category: item.of.iter().fold(item.words.join("_"), |name, of| format!("{name} {of}")),
                 count: counts[i],
@@ -157,17 +157,17 @@ fn declare(
 }
 
 /// The rooms, not yet beside each other.
-fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<Room> {
+fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<DraftRoom> {
     let mut out = Vec::new();
     for (i, room) in brief.rooms.iter().enumerate() {
         let source = match &room.source {
-            Source::Stated(at) if at.is_empty() => Source::Inferred("objects need a room to stand in".into()),
+            ThingOrigin::Stated(at) if at.is_empty() => ThingOrigin::Inferred("objects need a room to stand in".into()),
             source => source.clone(),
         };
         let sized = room.size[0].is_some() && room.size[2].is_some();
         let [w, _, d] = sizes[i];
         let outline = room.corners.map(|n| polygon(n, w, d));
-        out.push(Room {
+        out.push(DraftRoom {
             name: names[i].clone(),
             kind: room.name.clone(),
             at: [0.0; 2],
@@ -202,7 +202,7 @@ fn limited(brief: &Brief, draft: &Draft) -> Vec<Note> {
 /// A window that something stands under begins above it.
 fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
     for fact in named.brief.facts.iter().filter(|f| !f.not) {
-        let What::Rel(Rel::Under, to) = &fact.what else { continue };
+        let FactKind::Rel(Rel::Under, to) = &fact.what else { continue };
         for w in to.iter().filter(|w| named.brief.things[**w].group == Group::Window) {
             // It need not stand quite at the wall.
             let top = fact.of.iter().map(|a| named.sizes[*a][1]).fold(0.0, f64::max);

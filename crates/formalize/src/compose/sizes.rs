@@ -1,7 +1,7 @@
 //! Sizes that the request leaves out: of things, so that what stands on them finds room; of rooms, so that all does.
 
 use super::state::ACROSS;
-use crate::brief::{Brief, Dim, Group, Op, Place, Rel, Side, Thing, What};
+use crate::brief::{Brief, Dim, FactKind, Group, Op, Place, Rel, Side, Thing};
 use crate::read::lexicon::get;
 
 /// Width, height and depth of every thing.
@@ -61,19 +61,19 @@ fn by_relation(brief: &Brief, out: &mut [[f64; 3]]) {
                 && !item.words.last().is_some_and(|w| large.contains(&w.as_str()));
             match &fact.what {
                 // What stores and hangs is no tall thing.
-                What::Rel(Rel::Above, _) | What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _)
+                FactKind::Rel(Rel::Above, _) | FactKind::Place(Rel::Mounted | Rel::Hang, Place::Wall, _)
                     if shelf && !item.look.features.iter().any(|f| f == "tall") =>
                 {
                     out[*a][1] = item.size[1].unwrap_or(0.5);
                     out[*a][2] = item.size[2].unwrap_or(out[*a][2].min(0.32));
                 }
                 // A hood above all of them is as long as they are.
-                What::Rel(Rel::Above, to) if to.len() > 1 && item.size[0].is_none() => {
+                FactKind::Rel(Rel::Above, to) if to.len() > 1 && item.size[0].is_none() => {
                     let all: f64 = to.iter().map(|b| out[*b][0] + 0.1).sum();
                     out[*a][0] = out[*a][0].max(all);
                 }
                 // "a lamp" on a table is no standard lamp.
-                What::Rel(Rel::On, to)
+                FactKind::Rel(Rel::On, to)
                     if item.size[1].is_none()
                         && item.name() == "lamp"
                         && to.iter().any(|b| matches!(brief.things[*b].group, Group::Table | Group::Storage)) =>
@@ -81,7 +81,7 @@ fn by_relation(brief: &Brief, out: &mut [[f64; 3]]) {
                     out[*a] = [0.25, 0.45, 0.25];
                 }
                 // What is under another is no higher than that.
-                What::Rel(Rel::Under, to) => {
+                FactKind::Rel(Rel::Under, to) => {
                     let least = |b: &usize| {
                         let under = matches!(brief.things[*b].group, Group::Table | Group::Bed | Group::Seat);
                         if under { out[*b][1] - 0.08 } else { f64::INFINITY }
@@ -151,7 +151,7 @@ fn load(brief: &Brief, out: &[[f64; 3]], b: usize) -> Load {
     let mut area = 0.0;
     let mut sides = [0.0_f64; 2];
     for fact in brief.facts.iter().filter(|f| !f.not) {
-        let What::Rel(rel, to) = &fact.what else { continue };
+        let FactKind::Rel(rel, to) = &fact.what else { continue };
         if !to.iter().any(|t| brief.whole(*t) == b) {
             continue;
         }
@@ -189,7 +189,7 @@ fn load(brief: &Brief, out: &[[f64; 3]], b: usize) -> Load {
 /// Sizes that the request limits.
 fn limited(brief: &Brief, out: &mut [[f64; 3]]) {
     for fact in &brief.facts {
-        let What::Size(dim, op, v) = &fact.what else { continue };
+        let FactKind::Size(dim, op, v) = &fact.what else { continue };
         let axis = match dim {
             Dim::Height | Dim::Ceiling | Dim::Elevation => 1,
             Dim::Depth => 2,
@@ -208,7 +208,10 @@ fn limited(brief: &Brief, out: &mut [[f64; 3]]) {
 /// Makes what is in another small enough for it, side by side with what else is there.
 fn contained(brief: &Brief, out: &mut [[f64; 3]]) {
     let inside = |b: usize| {
-        brief.facts.iter().filter(move |f| matches!(&f.what, What::Rel(Rel::In, to) if !f.not && to.as_slice() == [b]))
+        brief
+            .facts
+            .iter()
+            .filter(move |f| matches!(&f.what, FactKind::Rel(Rel::In, to) if !f.not && to.as_slice() == [b]))
     };
     for b in 0..brief.things.len() {
         let shelf = brief.things[b].group == Group::Storage;
@@ -248,7 +251,9 @@ pub fn fit_walls(brief: &Brief, sizes: &mut [[f64; 3]], rooms: &[[f64; 3]]) {
         let item = &brief.things[i];
         let n = brief.count(i) as f64;
         let which = brief.facts.iter().find_map(|f| match &f.what {
-            What::Place(Rel::Against | Rel::Along | Rel::At | Rel::On, Place::Wall, which) if f.of == [i] && !f.not => {
+            FactKind::Place(Rel::Against | Rel::Along | Rel::At | Rel::On, Place::Wall, which)
+                if f.of == [i] && !f.not =>
+            {
                 Some(which)
             }
             _ => None,
@@ -293,7 +298,7 @@ fn stands(brief: &Brief, item: usize) -> bool {
             | Group::Window
             | Group::Screen
     );
-    floor && !brief.facts.iter().any(|f| !f.not && f.of.contains(&item) && matches!(&f.what, What::Rel(Rel::On | Rel::In, to) if to.iter().all(|t| brief.things[*t].group != Group::Flat)))
+    floor && !brief.facts.iter().any(|f| !f.not && f.of.contains(&item) && matches!(&f.what, FactKind::Rel(Rel::On | Rel::In, to) if to.iter().all(|t| brief.things[*t].group != Group::Flat)))
 }
 
 /// Width, height and depth of every room, and an outline where it is no rectangle.
@@ -321,7 +326,7 @@ pub fn rooms(brief: &Brief, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
                 need += n * w * d * 0.5;
             }
             let at_wall = brief.facts.iter().any(|f| {
-                !f.not && f.of.contains(&i) && matches!(f.what, What::Place(_, Place::Wall | Place::Corner, _))
+                !f.not && f.of.contains(&i) && matches!(f.what, FactKind::Place(_, Place::Wall | Place::Corner, _))
             });
             if at_wall && !item.opening() || item.opening() && item.part.is_none() {
                 along += n * (w + 0.35);
@@ -376,10 +381,10 @@ fn spread(brief: &Brief, item: usize) -> f64 {
     let mut out = 0.0_f64;
     for f in brief.facts.iter().filter(|f| f.of.contains(&item)) {
         match &f.what {
-            What::Among(_, v) => out = out.max(*v),
-            What::Clear(Side::Front | Side::Behind | Side::Around, v) => out = out.max(v * 0.7),
-            What::Path(v, _) => out = out.max(v * 0.5),
-            What::Gap(Op::Least, v, to) if to.iter().any(|t| brief.count(*t) > 1) => out = out.max(v * 0.5),
+            FactKind::Among(_, v) => out = out.max(*v),
+            FactKind::Clear(Side::Front | Side::Behind | Side::Around, v) => out = out.max(v * 0.7),
+            FactKind::Path(v, _) => out = out.max(v * 0.5),
+            FactKind::Gap(Op::Least, v, to) if to.iter().any(|t| brief.count(*t) > 1) => out = out.max(v * 0.5),
             _ => {}
         }
     }
@@ -391,11 +396,11 @@ fn distances(brief: &Brief, room: usize) -> f64 {
     let mut out = 0.0_f64;
     for f in brief.facts.iter().filter(|f| f.of.iter().any(|i| brief.things[*i].room == room)) {
         match &f.what {
-            What::Rel(Rel::Opposite, _) if !f.not => out = out.max(ACROSS),
-            What::Gap(Op::Least | Op::Equal, v, _)
-            | What::Wall(Op::Least | Op::Equal, v)
-            | What::Alone(v)
-            | What::Clear(_, v) => out = out.max(*v),
+            FactKind::Rel(Rel::Opposite, _) if !f.not => out = out.max(ACROSS),
+            FactKind::Gap(Op::Least | Op::Equal, v, _)
+            | FactKind::Wall(Op::Least | Op::Equal, v)
+            | FactKind::Alone(v)
+            | FactKind::Clear(_, v) => out = out.max(*v),
             _ => {}
         }
     }
@@ -406,7 +411,7 @@ fn distances(brief: &Brief, room: usize) -> f64 {
 fn above(brief: &Brief, room: usize, sizes: &[[f64; 3]]) -> f64 {
     let mut out = 0.0_f64;
     for f in &brief.facts {
-        let What::Rel(Rel::Above, to) = &f.what else { continue };
+        let FactKind::Rel(Rel::Above, to) = &f.what else { continue };
         for a in f.of.iter().filter(|a| brief.things[**a].room == room) {
             for b in to {
                 out = out

@@ -6,8 +6,8 @@ mod relations;
 mod rows;
 mod said;
 
-use crate::brief::{Brief, Dim, Fact, Group, Op, Place, Rel, Side, What};
-use crate::draft::{Note, Source, Statement};
+use crate::brief::{Brief, Dim, Fact, FactKind, Group, Op, Place, Rel, Side};
+use crate::draft::{Note, Statement, ThingOrigin};
 use crate::write::number;
 pub(super) use relations::ACROSS;
 
@@ -67,7 +67,7 @@ pub fn state(named: &Named) -> Stated {
 impl Stated {
     /// Adds a statement, once.
     #[expect(clippy::needless_pass_by_value, reason = "callers make the text for this call")]
-    pub fn push(&mut self, text: String, source: Source) {
+    pub fn push(&mut self, text: String, source: ThingOrigin) {
         let statement = Statement::new(&text, source);
         let known = |s: &Statement| s.text == statement.text && s.demand == statement.demand;
         if !self.statements.iter().any(known) {
@@ -77,7 +77,7 @@ impl Stated {
 
     /// Adds what the request does not say.
     pub fn infer(&mut self, text: String, why: &str) {
-        self.push(text, Source::Inferred(why.into()));
+        self.push(text, ThingOrigin::Inferred(why.into()));
     }
 }
 
@@ -213,7 +213,7 @@ impl Named<'_> {
     }
 
     /// Whether a fact says something of a thing, or of some of several.
-    pub fn said(&self, item: usize, f: impl Fn(&What) -> bool) -> bool {
+    pub fn said(&self, item: usize, f: impl Fn(&FactKind) -> bool) -> bool {
         let of = |i: &usize| *i == item || self.brief.whole(*i) == item;
         self.brief.facts.iter().any(|fact| !fact.not && fact.of.iter().any(of) && f(&fact.what))
     }
@@ -225,41 +225,43 @@ impl Named<'_> {
         for of in &fact.of {
             match &fact.what {
                 // On a wall between two things: near both, too.
-                What::Rel(Rel::Between, to) if !fact.not && matches!(self.group(*of), Group::Wall | Group::Screen) => {
+                FactKind::Rel(Rel::Between, to)
+                    if !fact.not && matches!(self.group(*of), Group::Wall | Group::Screen) =>
+                {
                     out.extend(self.between(*of, to).map(|t| format!("{verb} {t};")));
                     for to in to {
                         out.push(format!("{verb} {};", self.every(*of, *to, &|a, b| format!("near({a}, {b}, 2)"))));
                     }
                 }
-                What::Rel(rel, to) if *rel == Rel::Between => {
+                FactKind::Rel(rel, to) if *rel == Rel::Between => {
                     // "in the corner between the window and the door": it tells which corner.
-                    let corner = self.said(*of, |w| matches!(w, What::Place(_, Place::Corner, _)));
+                    let corner = self.said(*of, |w| matches!(w, FactKind::Place(_, Place::Corner, _)));
                     let verb = if corner { "prefer" } else { verb };
                     out.extend(self.between(*of, to).map(|t| not(verb, &t, fact.not)))
                 }
-                What::Rel(rel, to) => {
+                FactKind::Rel(rel, to) => {
                     for to in to {
                         self.rel(fact, *of, *rel, *to, &mut out);
                     }
                 }
-                What::Place(rel, place, _) if fact.not => {
+                FactKind::Place(rel, place, _) if fact.not => {
                     out.extend(self.not_at(*of, *rel, *place).map(|t| format!("{verb} {t};")));
                 }
-                What::Place(rel, place, which) => self.place(k, *of, *rel, *place, which, verb, &mut out),
-                What::Gap(op, v, to) => {
+                FactKind::Place(rel, place, which) => self.place(k, *of, *rel, *place, which, verb, &mut out),
+                FactKind::Gap(op, v, to) => {
                     for to in to {
                         out.push(format!("{verb} {};", self.gap(*of, *to, *op, *v, [fact.subject, fact.object])));
                     }
                 }
-                What::Among(op, v) => out.extend(self.among(*of, *op, *v).map(|t| format!("{verb} {t};"))),
-                What::Rows(op, v) => out.extend(self.rows_apart(*of, *op, *v).map(|t| format!("{verb} {t};"))),
-                What::Wall(op, v) => {
+                FactKind::Among(op, v) => out.extend(self.among(*of, *op, *v).map(|t| format!("{verb} {t};"))),
+                FactKind::Rows(op, v) => out.extend(self.rows_apart(*of, *op, *v).map(|t| format!("{verb} {t};"))),
+                FactKind::Wall(op, v) => {
                     let room = self.room(*of);
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("gap({a}, {room})"), *op, *v))));
                 }
-                What::Alone(v) => out.push(self.alone(*of, *v)),
-                What::Clear(side, v) => out.push(format!("{verb} {};", self.clear(*of, *side, *v))),
-                What::Size(dim, op, v) => {
+                FactKind::Alone(v) => out.push(self.alone(*of, *v)),
+                FactKind::Clear(side, v) => out.push(format!("{verb} {};", self.clear(*of, *side, *v))),
+                FactKind::Size(dim, op, v) => {
                     let axis = match dim {
                         Dim::Height | Dim::Ceiling | Dim::Elevation => "y",
                         Dim::Depth => "z",
@@ -267,17 +269,17 @@ impl Named<'_> {
                     };
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.size.{axis}"), *op, *v))));
                 }
-                What::Height(op, v) => {
+                FactKind::Height(op, v) => {
                     // What stands on the floor is meant otherwise: its top, or another thing altogether.
                     let floor = matches!(self.group(*of), Group::Seat | Group::Table | Group::Bed | Group::Floor)
                         && !self.said(*of, |w| {
-                            matches!(w, What::Place(_, Place::Wall | Place::Ceiling, _))
-                                || matches!(w, What::Rel(Rel::Mounted | Rel::Hang | Rel::Above | Rel::On, _))
+                            matches!(w, FactKind::Place(_, Place::Wall | Place::Ceiling, _))
+                                || matches!(w, FactKind::Rel(Rel::Mounted | Rel::Hang | Rel::Above | Rel::On, _))
                         });
                     let verb = if floor && *v > 0.05 { "prefer" } else { verb };
                     out.push(format!("{verb} {};", self.all(*of, |a| compared(&format!("{a}.bottom"), *op, *v))))
                 }
-                What::Path(v, to) => {
+                FactKind::Path(v, to) => {
                     for to in to {
                         out.push(format!(
                             "{verb} {};",
@@ -285,7 +287,7 @@ impl Named<'_> {
                         ));
                     }
                 }
-                What::Pattern(pattern) => {
+                FactKind::Pattern(pattern) => {
                     out.extend(self.pattern(*of, &fact.of, *pattern).map(|t| format!("{verb} {t};")))
                 }
             }

@@ -2,7 +2,7 @@
 //! a rug may lie under anything.
 
 use super::state::{Named, Stated};
-use crate::brief::{Fact, Group, Pattern, Place, Rel, Thing, What};
+use crate::brief::{Fact, FactKind, Group, Pattern, Place, Rel, Thing};
 use crate::write::number;
 
 /// Adds it.
@@ -46,31 +46,33 @@ impl<'n, 'b> It<'n, 'b> {
         let carries = |t: &usize| {
             matches!(named.brief.things[*t].group, Group::Top | Group::Screen) || carrier(named, *t).is_some()
         };
-        let beside = |w: &What| match w {
-            What::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to) => {
+        let beside = |w: &FactKind| match w {
+            FactKind::Rel(Rel::LeftOf | Rel::RightOf | Rel::Beside | Rel::Sides | Rel::InFrontOf | Rel::Behind, to) => {
                 !to.iter().all(carries)
             }
             _ => false,
         };
-        let held = |w: &What| matches!(w, What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _));
-        let placed =
-            |w: &What| matches!(w, What::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _));
+        let held =
+            |w: &FactKind| matches!(w, FactKind::Rel(Rel::On | Rel::In | Rel::Under | Rel::Mounted | Rel::Hang, _));
+        let placed = |w: &FactKind| {
+            matches!(w, FactKind::Place(_, Place::Wall | Place::Ceiling | Place::Corner | Place::Middle, _))
+        };
         Self {
             named,
             a,
             item,
             held: named.said(a, held),
             placed: named.said(a, placed),
-            high: named.said(a, |w| matches!(w, What::Height(..))),
-            on_wall: named.said(a, |w| matches!(w, What::Place(_, Place::Wall, _))),
-            above: named.said(a, |w| matches!(w, What::Rel(Rel::Above, _))),
-            measured: named.said(a, |w| matches!(w, What::Gap(..) | What::Height(..))),
+            high: named.said(a, |w| matches!(w, FactKind::Height(..))),
+            on_wall: named.said(a, |w| matches!(w, FactKind::Place(_, Place::Wall, _))),
+            above: named.said(a, |w| matches!(w, FactKind::Rel(Rel::Above, _))),
+            measured: named.said(a, |w| matches!(w, FactKind::Gap(..) | FactKind::Height(..))),
             apart: item.group == Group::Top && named.said(a, beside),
             lamp: item.words.last().is_some_and(|w| w == "lamp" || w == "light"),
         }
     }
 
-    fn said(&self, what: impl Fn(&What) -> bool) -> bool {
+    fn said(&self, what: impl Fn(&FactKind) -> bool) -> bool {
         self.named.said(self.a, what)
     }
 
@@ -90,7 +92,9 @@ impl<'n, 'b> It<'n, 'b> {
         let name = self.item.name();
         match self.item.group {
             Group::Wall | Group::Drape
-                if !self.held && !self.on_wall && !self.said(|w| matches!(w, What::Place(_, Place::Ceiling, _))) =>
+                if !self.held
+                    && !self.on_wall
+                    && !self.said(|w| matches!(w, FactKind::Place(_, Place::Ceiling, _))) =>
             {
                 out.infer(self.mounted("wallMounted"), &format!("a {name} hangs on a wall"));
             }
@@ -122,8 +126,8 @@ impl<'n, 'b> It<'n, 'b> {
     /// Whether something under ceilings hangs there, since nothing says that it is elsewhere.
     fn hangs(&self) -> bool {
         let things = &self.named.brief.things;
-        let beside = |w: &What| match w {
-            What::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) => {
+        let beside = |w: &FactKind| match w {
+            FactKind::Rel(Rel::Beside | Rel::Near | Rel::InFrontOf | Rel::Along, to) => {
                 to.iter().any(|t| things[*t].group != Group::Ceiling)
             }
             _ => false,
@@ -144,7 +148,7 @@ impl<'n, 'b> It<'n, 'b> {
         let (named, a) = (self.named, self.a);
         let first = |pick: &dyn Fn(usize) -> Option<usize>| {
             named.brief.facts.iter().find_map(|f| match &f.what {
-                What::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| pick(*t)),
+                FactKind::Rel(_, to) if f.of.contains(&a) => to.first().and_then(|t| pick(*t)),
                 _ => None,
             })
         };
@@ -169,7 +173,7 @@ impl<'n, 'b> It<'n, 'b> {
     fn with_others(&self, out: &mut Stated) {
         let named = self.named;
         for fact in named.brief.facts.iter().filter(|f| f.of.contains(&self.a) && !f.not && !f.soft) {
-            let What::Rel(rel @ (Rel::Beside | Rel::Opposite), to) = &fact.what else { continue };
+            let FactKind::Rel(rel @ (Rel::Beside | Rel::Opposite), to) = &fact.what else { continue };
             let [b] = to[..] else { continue };
             if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(self.a, b)) {
                 out.infer(format!("prefer {sides};"), "a pair stands on both sides");
@@ -214,14 +218,14 @@ impl<'n, 'b> It<'n, 'b> {
         let low =
             matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor | Group::Flat);
         let tall = self.named.tall(self.a);
-        let raised = self.held && !self.said(|w| matches!(w, What::Rel(Rel::Under, _)))
+        let raised = self.held && !self.said(|w| matches!(w, FactKind::Rel(Rel::Under, _)))
             || self.above && !tall
             || self.high
             || self.said(|w| match w {
-                What::Pattern(Pattern::Stacked)
-                | What::Place(_, Place::Ceiling | Place::Floor, _)
-                | What::Place(Rel::Mounted | Rel::Hang, Place::Wall, _) => true,
-                What::Place(Rel::On, Place::Wall, _) => {
+                FactKind::Pattern(Pattern::Stacked)
+                | FactKind::Place(_, Place::Ceiling | Place::Floor, _)
+                | FactKind::Place(Rel::Mounted | Rel::Hang, Place::Wall, _) => true,
+                FactKind::Place(Rel::On, Place::Wall, _) => {
                     !matches!(group, Group::Table | Group::Seat | Group::Bed) && !tall
                 }
                 _ => false,
@@ -234,14 +238,14 @@ impl<'n, 'b> It<'n, 'b> {
     /// Rows of tables, and seats that are drawn up to them.
     fn in_order(&self, out: &mut Stated) {
         let (named, a) = (self.named, self.a);
-        let said = self.said(|w| matches!(w, What::Pattern(_)));
+        let said = self.said(|w| matches!(w, FactKind::Pattern(_)));
         if let Some(places) = named.rows(a).filter(|_| !said) {
             out.infer(format!("assert {places};"), "tables with their seats stand in rows");
         }
         if let Some(places) = named.drawn_up(a) {
             out.infer(format!("assert {places};"), "seats belong at their tables");
         }
-        let faces = |f: &Fact| matches!(f.what, What::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
+        let faces = |f: &Fact| matches!(f.what, FactKind::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
         if let Some(turned) = named.turned(a).filter(|_| !named.brief.facts.iter().any(faces)) {
             out.infer(turned, "rows stand straight");
         }
@@ -252,7 +256,7 @@ impl<'n, 'b> It<'n, 'b> {
         if let (Group::Screen, Some(stand)) = (self.item.group, carrier(self.named, self.a))
             && matches!(self.named.brief.things[stand].group, Group::Table | Group::Storage)
         {
-            let turned = self.said(|w| matches!(w, What::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
+            let turned = self.said(|w| matches!(w, FactKind::Rel(Rel::Facing | Rel::Opposite | Rel::BackTo, _)));
             let verb = if turned { "prefer" } else { "assert" };
             let along = self.named.pairs(self.a, stand, &|x, y| format!("angle({x}.front, {y}.front) <= 5"));
             out.infer(format!("{verb} {along};"), "a screen faces the same way as its stand");
@@ -288,7 +292,7 @@ impl<'n, 'b> It<'n, 'b> {
 /// What a thing is said to stand on.
 fn carrier(named: &Named, item: usize) -> Option<usize> {
     named.brief.facts.iter().find_map(|f| match &f.what {
-        What::Rel(Rel::On, to) if f.of.contains(&item) && !f.not => {
+        FactKind::Rel(Rel::On, to) if f.of.contains(&item) && !f.not => {
             to.first().copied().filter(|t| named.brief.things[*t].group != Group::Flat)
         }
         _ => None,

@@ -3,7 +3,7 @@
 
 use super::stand;
 use crate::brief::Group;
-use crate::draft::{Draft, Room, Source, Thing};
+use crate::draft::{Draft, DraftRoom, DraftThing, ThingOrigin};
 
 /// A room whose size nobody gave becomes so many times as large while it is tried.
 const GROWTH: f64 = 2.4;
@@ -20,17 +20,18 @@ pub fn overfull(draft: &Draft) -> Option<String> {
 fn room_is_overfull(draft: &Draft, at: usize) -> Option<String> {
     let room = &draft.rooms[at];
     let most = floor(room) * if room.sized { 1.0 } else { GROWTH };
-    let stands: Vec<&Thing> = draft
+    let stands: Vec<&DraftThing> = draft
         .things
         .iter()
-        .filter(|thing| thing.room == Some(at) && matches!(thing.source, Source::Stated(_)))
+        .filter(|thing| thing.room == Some(at) && matches!(thing.source, ThingOrigin::Stated(_)))
         .filter(|thing| thing.size.is_some_and(|[_, h, _]| h > FLAT) && stand::on_floor(draft, thing))
         .collect();
     // Seats may stand under tables.
     let table = stands.iter().any(|thing| stand::group(&thing.category) == Group::Table);
-    let counts = |thing: &&Thing| !table || stand::group(&thing.category) != Group::Seat;
-    let area = |thing: &Thing| thing.size.map_or(0.0, |[w, _, d]| w * d) * thing.count as f64;
-    let mut counted: Vec<(f64, &Thing)> = stands.into_iter().filter(counts).map(|thing| (area(thing), thing)).collect();
+    let counts = |thing: &&DraftThing| !table || stand::group(&thing.category) != Group::Seat;
+    let area = |thing: &DraftThing| thing.size.map_or(0.0, |[w, _, d]| w * d) * thing.count as f64;
+    let mut counted: Vec<(f64, &DraftThing)> =
+        stands.into_iter().filter(counts).map(|thing| (area(thing), thing)).collect();
     let needed: f64 = counted.iter().map(|(area, _)| area).sum();
     if needed <= most {
         return None;
@@ -54,7 +55,7 @@ fn room_is_overfull(draft: &Draft, at: usize) -> Option<String> {
 }
 
 /// Square metres: of an outline by Gauss's formula.
-fn floor(room: &Room) -> f64 {
+fn floor(room: &DraftRoom) -> f64 {
     let Some(corners) = &room.outline else { return room.size[0] * room.size[2] };
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|([x, z], [u, v])| x * v - u * z).sum::<f64>().abs() / 2.0

@@ -5,7 +5,7 @@ use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
-use super::kinds::{self, Line, Place, seats_all};
+use super::kinds::{self, Line, PlanPlace, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
 use super::spots::{
@@ -13,7 +13,7 @@ use super::spots::{
 };
 use super::{facing, groups, order, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
-use crate::draft::{Demand, OpeningKind, Thing};
+use crate::draft::{Demand, DraftThing, OpeningKind};
 use std::cell::{Cell, RefCell};
 
 /// So many counters stand near the door.
@@ -64,7 +64,7 @@ pub fn rounded(plan: &mut Plan, brief: &Brief) {
 }
 
 /// Whether two people work at a desk.
-pub(super) fn is_shared(thing: &Thing) -> bool {
+pub(super) fn is_shared(thing: &DraftThing) -> bool {
     let features = &thing.look.features;
     is_desk(&thing.category.replace('_', " "))
         && thing.count == 1
@@ -141,17 +141,17 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let own = line.map(|line| &line.place);
     let is_table = stand::group(&it.category) == Group::Table;
     let in_rows = match own {
-        Some(Place::Rows(toward)) => Some(*toward),
+        Some(PlanPlace::Rows(toward)) => Some(*toward),
         // The desks of a team stand in groups.
-        Some(Place::Floor) if it.count >= TEAM && is_desk(&noun) => Some(false),
+        Some(PlanPlace::Floor) if it.count >= TEAM && is_desk(&noun) => Some(false),
         // So does what one works at from all sides, beside each other.
-        Some(Place::Middle) if !is_table => Some(false),
-        Some(Place::Floor) if it.count >= SEVERAL && stand::group(&noun) == Group::Floor => Some(false),
+        Some(PlanPlace::Middle) if !is_table => Some(false),
+        Some(PlanPlace::Floor) if it.count >= SEVERAL && stand::group(&noun) == Group::Floor => Some(false),
         // So do mats, with nothing on them.
         _ if stand::group(&noun) == Group::Flat => Some(true),
         _ => None,
     };
-    let fewest = if is_table || own == Some(&Place::Middle) { 2 } else { 3 };
+    let fewest = if is_table || own == Some(&PlanPlace::Middle) { 2 } else { 3 };
     if let (Some(toward), true) = (in_rows, it.count >= fewest && !stand::placed(plan.draft, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         let is_mat = stand::group(&noun) == Group::Flat;
@@ -169,19 +169,22 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
     let apart = (it.count == 1 || groups::is_visited(&noun, plan.kind.dress))
-        && matches!(own, Some(Place::Floor | Place::Middle))
+        && matches!(own, Some(PlanPlace::Floor | PlanPlace::Middle))
         || it.count == 1 && it.look.features.iter().any(|feature| FREE.contains(&feature.as_str()));
-    let special =
-        |place: &Place| matches!(place, Place::Before(..) | Place::Service(_) | Place::Back(_) | Place::Front(_));
+    let special = |place: &PlanPlace| {
+        matches!(place, PlanPlace::Before(..) | PlanPlace::Service(_) | PlanPlace::Back(_) | PlanPlace::Front(_))
+    };
     // A car stands in line with the gate, and so does what lifts it.
     let gated = is_driven_in(&it.category) && gate(plan).is_some();
     let has_place = |line: &&Line| special(&line.place) || gated;
     // Several robots stand at the conveyor, as one does.
-    let several = |line: &&Line| matches!(line.place, Place::Service(_) | Place::Before(_, 0.0)) && it.count <= SERVED;
+    let several =
+        |line: &&Line| matches!(line.place, PlanPlace::Service(_) | PlanPlace::Before(_, 0.0)) && it.count <= SERVED;
     let own_place = line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !plan.is_placed(thing));
-    let at_wall_like = matches!(own, Some(Place::Wall | Place::Run)) && !apart;
+    let at_wall_like = matches!(own, Some(PlanPlace::Wall | PlanPlace::Run)) && !apart;
     // Who serves stands behind a counter.
-    let is_served = own_place.is_some_and(|line| matches!(line.place, Place::Before(_, 180.0) | Place::Service(_)));
+    let is_served =
+        own_place.is_some_and(|line| matches!(line.place, PlanPlace::Before(_, 180.0) | PlanPlace::Service(_)));
     let has_back = stand::has_back(&it.category) && !apart && !is_served;
     let is_on_floor = stand::on_floor(plan.draft, &it);
     let pair = plan.ground.is_some() && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing));
@@ -189,7 +192,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // One reads in a corner where nobody else sits on soft seats.
     let is_soft = |line: &Line| line.noun.ends_with("sofa");
     let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
-    let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == Place::Corner);
+    let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == PlanPlace::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
     let is_parked = is_parked(&noun);
     if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
@@ -201,15 +204,15 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         && it.count <= 2
         && !plan.draft.outdoor
         && !plan.is_placed(thing);
-    let in_run = matches!(own, Some(Place::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
+    let in_run = matches!(own, Some(PlanPlace::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
     // What is watched stands across from where one sits.
-    let watched = line.filter(|line| matches!(line.place, Place::Opposite(_)));
+    let watched = line.filter(|line| matches!(line.place, PlanPlace::Opposite(_)));
     let looks_at = watched.and_then(|line| opposite_of(plan, line)).and_then(|name| plan.place_in_room(&name));
     let like = Like {
         line: own_place,
         at_wall: has_back || at_wall_like || is_seat_aside,
         in_run,
-        central: own == Some(&Place::Middle) && it.count == 1 && is_table && !plan.is_placed(thing),
+        central: own == Some(&PlanPlace::Middle) && it.count == 1 && is_table && !plan.is_placed(thing),
         aside,
         looks_at,
         by: line.map_or("", |line| line.by),
@@ -338,7 +341,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
             Some(pose)
         } else if let Some((line, nominal)) = own {
             match line.place {
-                Place::Service(gap) => lanes(&choice, floor, shape, before, (it.count, gap), &row),
+                PlanPlace::Service(gap) => lanes(&choice, floor, shape, before, (it.count, gap), &row),
                 _ => {
                     // Several stand side by side, with room to walk between them.
                     let step = size[0] + APART;
@@ -417,7 +420,7 @@ fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
     }
     let Some(at) = plan.place_in_room(&it.name).filter(|_| it.count == 1) else { return };
     let there = place::absolute(&it.name, &room, [at.x, at.y, at.z], at.yaw);
-    let special = |line: &Line| matches!(line.place, Place::Before(..) | Place::Back(_) | Place::Front(_));
+    let special = |line: &Line| matches!(line.place, PlanPlace::Before(..) | PlanPlace::Back(_) | PlanPlace::Front(_));
     if (like.central || like.line.is_some_and(special)) && !received && at.y == 0.0 {
         plan.say(format!("prefer {there};"), USUAL);
     }
@@ -448,7 +451,7 @@ fn keep_gaps(plan: &mut Plan, thing: usize, [width, height, depth]: [f64; 3]) {
 }
 
 /// The place of what a thing stands near.
-fn stands_near(plan: &Plan, it: &Thing, like: &Like) -> Option<Pose> {
+fn stands_near(plan: &Plan, it: &DraftThing, like: &Like) -> Option<Pose> {
     at_window(plan, &it.name).or_else(|| match it.category.as_str() {
         order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
         category if category.ends_with("island") => near_to(plan, COUNTER),

@@ -1,13 +1,13 @@
 //! A group is put together and placed as one piece. What does not fit with it is left out, the last part first.
 
-use super::floor::{Floor, Piece, Pose, Shape};
+use super::floor::{Floor, Footprint, Pose, Shape};
 use super::groups::Where;
 use super::openings::in_scene;
 use super::plan::{AtWall, Plan, for_people};
 use super::slots::{Level, Slot, fences};
 use super::stand;
-use crate::draft::{Source, Thing};
-use crate::names::{Names, words};
+use crate::draft::{DraftThing, ThingOrigin};
+use crate::names::{GivenNames, words};
 use scenelang_lang::nouns;
 use std::collections::BTreeMap;
 
@@ -82,7 +82,7 @@ impl Building {
         let [w, h, d] = size;
         let flat = h < 0.05;
         let tall = h > TALL && w * d > 0.12 && stand::has_back(noun);
-        self.shape.pieces.push(Piece { thing, at: *at, size, flat, tall });
+        self.shape.pieces.push(Footprint { thing, at: *at, size, flat, tall });
         let mut keep = |x: f64, z: f64, size: [f64; 3]| {
             let place = Pose { x, z, y: 0.05, yaw: 0.0 };
             self.shape.free.push((at.then(&place), size));
@@ -138,7 +138,7 @@ impl Building {
     fn enclose(&mut self, thing: usize, size: [f64; 3], frame: &Pose) {
         for ([x, z], size) in fences(size) {
             let at = frame.then(&Pose { x, z, ..Pose::default() });
-            self.shape.pieces.push(Piece { thing, at, size, flat: false, tall: false });
+            self.shape.pieces.push(Footprint { thing, at, size, flat: false, tall: false });
         }
         self.shape.free.push((frame.then(&Pose { y: 0.05, ..Pose::default() }), size));
     }
@@ -233,7 +233,7 @@ type Again<'a, Plan> = dyn FnMut(&mut Plan, &[&'static str]) -> Option<(usize, V
 struct Mark {
     /// Of things, statements, claimed things, what stands on things, and places.
     counts: [usize; 5],
-    names: Names,
+    names: GivenNames,
     floor: f64,
     walls: f64,
     turn: usize,
@@ -363,8 +363,8 @@ impl Plan<'_> {
 
     /// Whether a group is not complete without a part, or the part is asked for.
     fn needs(&self, part: &str) -> bool {
-        let is_asked = |it: &Thing| {
-            matches!(it.source, Source::Stated(_))
+        let is_asked = |it: &DraftThing| {
+            matches!(it.source, ThingOrigin::Stated(_))
                 && it.room == Some(self.room)
                 && it.category.replace('_', " ") == part
         };
@@ -396,7 +396,7 @@ impl Plan<'_> {
             let raised = s.text.starts_with("prefer") && s.text.contains(".bottom");
             let hung = s.text.contains("wallMounted(") || raised;
             let of = |names: &[String]| words(&s.text).iter().any(|w| names.iter().any(|n| n == w));
-            if !matches!(s.source, Source::Stated(_)) && (hung && of(&screens) || raised && of(&mirrors)) {
+            if !matches!(s.source, ThingOrigin::Stated(_)) && (hung && of(&screens) || raised && of(&mirrors)) {
                 return false;
             }
             let turns = s.text.starts_with("prefer") || s.text.contains("looksAt(") || s.text.contains("around(");

@@ -3,13 +3,13 @@
 //! room.
 
 use super::FENCED;
-use super::groups::{self, Along, Part, Where};
-use super::kinds::{Count, Kind, Line};
+use super::groups::{self, Along, GroupPart, Where};
+use super::kinds::{Count, FurnishingKind, Line};
 use super::plan::{AtWall, Plan, for_people, why};
 use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
 use crate::brief::Group;
-use crate::draft::{Demand, Draft, Source, Statement};
+use crate::draft::{Demand, Draft, Statement, ThingOrigin};
 use crate::names::words;
 
 /// Groups of groups: so deep.
@@ -30,7 +30,7 @@ impl Plan<'_> {
     pub(super) fn claim(
         &mut self,
         thing: usize,
-        part: &Part,
+        part: &GroupPart,
         wall: AtWall,
         deep: usize,
         taken: &mut Vec<Taken>,
@@ -73,12 +73,12 @@ impl Plan<'_> {
         let round = stand::round(&anchor.category, &anchor.look.features);
         // What is said to look at it stands before it, and not in its corner.
         let faces = |s: &Statement| {
-            matches!(s.source, Source::Stated(_))
+            matches!(s.source, ThingOrigin::Stated(_))
                 && words(&s.text).contains(&it.name.as_str())
                 && calls(&s.text).iter().any(|call| ["looksAt", "facing", "inFrontOf"].contains(call))
         };
         let in_corner = matches!(part.at, Where::Front(gap, ..) if gap < 0.0);
-        let before = Part { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
+        let before = GroupPart { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
         let part = if in_corner && self.draft.statements.iter().any(faces) { &before } else { part };
         let foot = stand::foot(part.noun, own);
         let mut places: Vec<Slot> = wheres(part, each, wall)
@@ -122,7 +122,7 @@ impl Plan<'_> {
         for statement in &mut self.draft.statements {
             let named = words(&statement.text);
             let both = named.contains(&thing) && named.contains(&fence);
-            if both && matches!(statement.source, Source::Stated(_)) && statement.text.contains("behind(") {
+            if both && matches!(statement.source, ThingOrigin::Stated(_)) && statement.text.contains("behind(") {
                 statement.text = format!("near({thing}, {fence}, {WITHIN})");
             }
         }
@@ -143,7 +143,7 @@ impl Plan<'_> {
     fn is_free(&self, at: usize, anchor: Option<&str>) -> bool {
         let it = &self.draft.things[at];
         it.room == Some(self.room)
-            && (matches!(it.source, Source::Stated(_)) || for_people(&it.source) || encloses(&it.source))
+            && (matches!(it.source, ThingOrigin::Stated(_)) || for_people(&it.source) || encloses(&it.source))
             && !self.claimed.contains(&at)
             && self.draft.place_of(&it.name).or(self.draft.place_of(&format!("{}[0]", it.name))).is_none()
             && (stand::on_floor(self.draft, it)
@@ -154,9 +154,9 @@ impl Plan<'_> {
     }
 
     /// Whether what is said of a thing holds where such a part stands, as far as its words tell.
-    fn agrees(&self, part: &Part, name: &str) -> bool {
+    fn agrees(&self, part: &GroupPart, name: &str) -> bool {
         let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
-        let about = |s: &&Statement| matches!(s.source, Source::Stated(_)) && words(&s.text).contains(&name);
+        let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && words(&s.text).contains(&name);
         self.draft.statements.iter().filter(about).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;
@@ -179,7 +179,7 @@ impl Plan<'_> {
     fn is_at_wall(&self, name: &str) -> bool {
         const WALLS: [&str; 3] = ["inCorner", "againstWall", "backToWall"];
         self.draft.statements.iter().any(|s| {
-            matches!(s.source, Source::Stated(_))
+            matches!(s.source, ThingOrigin::Stated(_))
                 && words(&s.text).contains(&name)
                 && calls(&s.text).iter().any(|call| WALLS.contains(call))
         })
@@ -196,7 +196,7 @@ impl Plan<'_> {
         at != other
             && self.ground.is_some()
             && anchor.room == Some(self.room)
-            && (matches!(anchor.source, Source::Stated(_)) || for_people(&anchor.source))
+            && (matches!(anchor.source, ThingOrigin::Stated(_)) || for_people(&anchor.source))
             && self.draft.things[at].count.is_multiple_of(anchor.count)
             && self.is_free(at, Some(&anchor.name))
             && has_part(&self.group_name(&anchor.category), self.kind.dress, DEEP, &|part| {
@@ -212,7 +212,7 @@ impl Plan<'_> {
     /// Whether the request says where a thing stands, and not only where something else does in relation to it.
     pub(super) fn is_placed(&self, at: usize) -> bool {
         let name = &self.draft.things[at].name;
-        let stated = self.draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
+        let stated = self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
         stated.filter(|s| words(&s.text).contains(&name.as_str())).any(|s| is_subject(&s.text, name))
     }
 
@@ -230,7 +230,7 @@ impl Plan<'_> {
     /// The line of the inventory with which a thing that is asked for stands.
     fn line_of(&self, at: usize) -> Option<&'static Line> {
         let it = &self.draft.things[at];
-        if self.ground.is_none() || !matches!(it.source, Source::Stated(_)) || !self.is_free(at, None) {
+        if self.ground.is_none() || !matches!(it.source, ThingOrigin::Stated(_)) || !self.is_free(at, None) {
             return None;
         }
         let said = |noun: &str| self.is_closed(noun);
@@ -239,14 +239,14 @@ impl Plan<'_> {
 }
 
 /// Whether a thing is a fence that nobody asked for.
-fn encloses(source: &Source) -> bool {
-    matches!(source, Source::Inferred(why) if why == FENCED)
+fn encloses(source: &ThingOrigin) -> bool {
+    matches!(source, ThingOrigin::Inferred(why) if why == FENCED)
 }
 
 /// Whether a thing stands at its table by a statement that nobody asked for, as seats in rows do.
 fn is_drawn_up(draft: &Draft, name: &str) -> bool {
     let place = format!("{name}[i].pos.");
-    draft.statements.iter().any(|s| !matches!(s.source, Source::Stated(_)) && s.text.contains(&place))
+    draft.statements.iter().any(|s| !matches!(s.source, ThingOrigin::Stated(_)) && s.text.contains(&place))
 }
 
 /// Whether a statement places a thing: it is the first argument of a call, its elements are gone through, or a property of
@@ -268,7 +268,7 @@ fn calls(text: &str) -> Vec<&str> {
 }
 
 /// Where elements of a part may be that are asked for, the best place first.
-fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
+fn wheres(part: &GroupPart, each: usize, wall: AtWall) -> Vec<Where> {
     match part.at {
         Where::Row(_, gap) => vec![Where::Row(each, gap)],
         Where::RowBehind(_, gap) => vec![Where::RowBehind(each, gap)],
@@ -295,7 +295,7 @@ fn wheres(part: &Part, each: usize, wall: AtWall) -> Vec<Where> {
 }
 
 /// Whether a part stands on the floor beside what it goes with, or is a television on its stand or a mirror above it.
-fn is_claimed(part: &Part) -> bool {
+fn is_claimed(part: &GroupPart) -> bool {
     use Where::{Above, Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top, Under};
     match part.at {
         Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | RowBehind(..) => true,
@@ -307,7 +307,7 @@ fn is_claimed(part: &Part) -> bool {
 }
 
 /// Whether a thing that is asked for is such a part. A plain chair may be any; a plain table is none of the small ones.
-fn takes(part: &Part, category: &str) -> bool {
+fn takes(part: &GroupPart, category: &str) -> bool {
     let asked = category.replace('_', " ");
     let seat = stand::group(part.noun) == Group::Seat;
     let easy = asked != part.noun && stand::is_easy(&asked);
@@ -320,14 +320,19 @@ fn takes(part: &Part, category: &str) -> bool {
 }
 
 /// Whether such a part goes with a thing, or with what goes with that.
-fn has_part(of: &str, dress: &str, deep: usize, is_such: &dyn Fn(&Part) -> bool) -> bool {
+fn has_part(of: &str, dress: &str, deep: usize, is_such: &dyn Fn(&GroupPart) -> bool) -> bool {
     let mut parts = groups::of(of, dress).iter().filter(|part| is_claimed(part));
     deep > 0 && parts.any(|part| is_such(part) || has_part(part.noun, dress, deep - 1, is_such))
 }
 
 /// The line of an inventory with which so many of something stand, for several one that counts people before others; none
 /// where such things have a line of their own.
-pub(super) fn line(kind: &'static Kind, noun: &str, n: usize, said: &dyn Fn(&str) -> bool) -> Option<&'static Line> {
+pub(super) fn line(
+    kind: &'static FurnishingKind,
+    noun: &str,
+    n: usize,
+    said: &dyn Fn(&str) -> bool,
+) -> Option<&'static Line> {
     if kind.lines.iter().any(|line| counts_as(line.noun, noun)) {
         return None;
     }

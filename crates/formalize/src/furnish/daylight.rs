@@ -1,13 +1,13 @@
 //! The way into a room from outside, its windows, and what keeps them free.
 
 use super::floor::Pose;
-use super::kinds::Place;
+use super::kinds::PlanPlace;
 use super::openings;
 use super::place;
 use super::plan::{Plan, metres};
 use super::seek::Wall;
 use super::stand;
-use crate::draft::{Draft, Look, Opening, OpeningKind, Source, Statement};
+use crate::draft::{Draft, Look, Opening, OpeningKind, Statement, ThingOrigin};
 
 /// So much wall is left beside a window (metres).
 const BESIDE: f64 = 0.3;
@@ -29,7 +29,7 @@ pub fn way_in(draft: &mut Draft, at: usize) {
     if draft.openings.iter().any(outside) || crate::storey::hub(&kinds) != at {
         return;
     }
-    let mut names = crate::names::Names::default();
+    let mut names = crate::names::GivenNames::default();
     let taken = draft.rooms.iter().map(|r| &r.name).chain(draft.openings.iter().map(|o| &o.name));
     taken.chain(draft.things.iter().map(|t| &t.name)).for_each(|name| {
         names.take(name);
@@ -43,7 +43,7 @@ pub fn way_in(draft: &mut Draft, at: usize) {
         rooms: vec![at],
         size,
         look: Look::default(),
-        source: Source::Inferred("a room needs a way in".into()),
+        source: ThingOrigin::Inferred("a room needs a way in".into()),
     });
 }
 
@@ -62,7 +62,7 @@ fn windows(plan: &Plan) -> Option<Windows> {
     let [w, h, d] = plan.draft.rooms[plan.room].size;
     // A room of a home that usually has a window has one, however small it is.
     let wanted = if plan.draft.rooms.len() > 1 { wanted.max(plan.kind.windows.min(1)) } else { wanted };
-    let watched = plan.kind.lines.iter().any(|line| matches!(line.place, Place::Back(_) | Place::Before(..)));
+    let watched = plan.kind.lines.iter().any(|line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Before(..)));
     let cooks = plan.kind.lines.iter().any(|line| line.noun == "kitchen counter");
     // Small ones where it is narrow.
     let first = if plan.draft.rooms.len() > 1 && w.min(d) < 2.4 { 2 } else { 0 };
@@ -121,7 +121,7 @@ pub fn add_windows(plan: &mut Plan) {
             rooms: vec![plan.room],
             size,
             look: Look::default(),
-            source: Source::Inferred(why.clone()),
+            source: ThingOrigin::Inferred(why.clone()),
         });
         if let Some((wall, first)) = row {
             let along = first + step * i as f64;
@@ -173,7 +173,7 @@ pub fn keep_windows_free(draft: &mut Draft, at: usize) {
                 1 => format!("{verb} far({name}, {window}, 0.1);"),
                 _ => format!("{verb} forall a in {name}: far(a, {window}, 0.1);"),
             };
-            let source = Source::Inferred("nothing tall stands in front of a window".into());
+            let source = ThingOrigin::Inferred("nothing tall stands in front of a window".into());
             draft.statements.push(Statement::new(&text, source));
         }
     }

@@ -1,6 +1,6 @@
 //! What was added is taken out again where it is in the way: first what was added last, with all that is fixed to it.
 
-use crate::draft::{Draft, OpeningKind, Source};
+use crate::draft::{Draft, OpeningKind, ThingOrigin};
 use crate::names::words;
 use std::collections::BTreeSet;
 
@@ -14,12 +14,14 @@ impl Draft {
                 continue;
             }
             // Seats for the people that the request names are as good as asked for.
-            let added = |i: &usize| matches!(&self.things[*i].source, Source::Inferred(why) if !why.ends_with("people sit there"));
+            let added = |i: &usize| matches!(&self.things[*i].source, ThingOrigin::Inferred(why) if !why.ends_with("people sit there"));
             let named = |i: &usize| group.contains(&self.things[*i].name);
             let last = (0..self.things.len()).rev().filter(added).find(named);
             let window = || {
                 self.openings.iter().find(|o| {
-                    o.kind == OpeningKind::Window && matches!(o.source, Source::Inferred(_)) && group.contains(&o.name)
+                    o.kind == OpeningKind::Window
+                        && matches!(o.source, ThingOrigin::Inferred(_))
+                        && group.contains(&o.name)
                 })
             };
             if let Some(last) = last {
@@ -33,12 +35,12 @@ impl Draft {
 
     /// Whether there is anything that was added and may go.
     pub fn has_additions(&self) -> bool {
-        self.things.iter().any(|t| matches!(t.source, Source::Inferred(_)) && !t.category.ends_with("light"))
+        self.things.iter().any(|t| matches!(t.source, ThingOrigin::Inferred(_)) && !t.category.ends_with("light"))
     }
 
     /// Takes out all that was added to rooms, but for doors and lights.
     pub fn leave_out_all(&mut self) -> bool {
-        let added = self.things.iter().filter(|t| matches!(t.source, Source::Inferred(_)));
+        let added = self.things.iter().filter(|t| matches!(t.source, ThingOrigin::Inferred(_)));
         let gone = added.filter(|t| !t.category.ends_with("light")).map(|t| t.name.clone()).collect();
         self.take_out(gone)
     }
@@ -53,8 +55,8 @@ impl Draft {
             let fixed = self.statements.iter().filter(|s| places(&s.text)).filter_map(|s| {
                 let names = words(&s.text);
                 let added = |name: &str| {
-                    self.things.iter().any(|t| t.name == name && matches!(t.source, Source::Inferred(_)))
-                        || self.openings.iter().any(|o| o.name == name && matches!(o.source, Source::Inferred(_)))
+                    self.things.iter().any(|t| t.name == name && matches!(t.source, ThingOrigin::Inferred(_)))
+                        || self.openings.iter().any(|o| o.name == name && matches!(o.source, ThingOrigin::Inferred(_)))
                 };
                 let own = names.iter().find(|name| added(name))?;
                 (!gone.contains(*own) && names.iter().any(|name| gone.contains(*name))).then(|| (*own).to_owned())

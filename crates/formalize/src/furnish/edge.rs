@@ -4,7 +4,7 @@ use super::floor::Pose;
 use super::kinds::Line;
 use super::place;
 use super::plan::Plan;
-use crate::draft::Room;
+use crate::draft::DraftRoom;
 
 /// How thick a railing is, and how high (metres).
 pub const THICK: f64 = 0.06;
@@ -52,7 +52,7 @@ fn open(plan: &Plan) -> [bool; 4] {
     }
     let own = &plan.draft.rooms[plan.room];
     let beyond = |axis: usize, sign: f64| {
-        let half = |room: &Room, axis: usize| room.size[2 * axis] / 2.0;
+        let half = |room: &DraftRoom, axis: usize| room.size[2 * axis] / 2.0;
         plan.draft.rooms.iter().enumerate().any(|(other, room)| {
             let gap = sign * (room.at[axis] - own.at[axis]) - half(room, axis) - half(own, axis);
             let along = 1 - axis;

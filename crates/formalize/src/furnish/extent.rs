@@ -6,7 +6,7 @@ use super::number::{Scale, scale};
 use super::room::{First, Furnished, furnish_once};
 use super::stand;
 use crate::brief::{Brief, Group};
-use crate::draft::{Draft, Thing};
+use crate::draft::{Draft, DraftThing};
 
 /// How often a room grows in which something that matters finds no room, and by how much.
 const GROWN: usize = 5;
@@ -116,7 +116,7 @@ fn shrink(
         empty.rooms[at].size = [w, size[1], d];
         let mut smaller = empty.clone();
         let furnished = furnish(&mut smaller);
-        let is_mat = |thing: &Thing| thing.count > 1 && stand::group(&thing.category) == Group::Flat;
+        let is_mat = |thing: &DraftThing| thing.count > 1 && stand::group(&thing.category) == Group::Flat;
         let mut standing = draft
             .things
             .iter()
@@ -167,6 +167,6 @@ fn kind_line(room: &str) -> Option<String> {
 
 /// How many things of a category there are.
 fn count(draft: &Draft, category: &str) -> usize {
-    let like = |thing: &&Thing| thing.category == category;
+    let like = |thing: &&DraftThing| thing.category == category;
     draft.things.iter().filter(like).map(|thing| thing.count).sum()
 }

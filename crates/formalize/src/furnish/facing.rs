@@ -2,12 +2,12 @@
 //! in a corner; two desks stand edge to edge.
 
 use super::build::Root;
-use super::floor::{Floor, Piece, Pose, Shape};
+use super::floor::{Floor, Footprint, Pose, Shape};
 use super::plan::{AtWall, Plan};
 use super::slots::{Level, Slot};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::{Demand, Source};
+use crate::draft::{Demand, ThingOrigin};
 use crate::names::words;
 
 /// Between the fronts of two seats that face each other, with a low table between them (metres).
@@ -35,7 +35,7 @@ type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 /// Whether a thing is such a pair: two that are said to face each other, or two sofas before a fire.
 pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
-    let is_fire = |t: &crate::draft::Thing| t.room == Some(plan.room) && t.category.ends_with("fireplace");
+    let is_fire = |t: &crate::draft::DraftThing| t.room == Some(plan.room) && t.category.ends_with("fireplace");
     if is_couple(plan, thing) && plan.draft.things.iter().any(is_fire) {
         return true;
     }
@@ -50,7 +50,7 @@ pub fn is_couple(plan: &Plan, thing: usize) -> bool {
     let of_it = |s: &&crate::draft::Statement| words(&s.text).contains(&it.name.as_str());
     let is_about = |text: &str| !text.contains("inside(") && !text.contains("onFloor(");
     let said = plan.draft.statements.iter().filter(of_it);
-    let mut said = said.filter(|s| matches!(s.source, Source::Stated(_)) && is_about(&s.text));
+    let mut said = said.filter(|s| matches!(s.source, ThingOrigin::Stated(_)) && is_about(&s.text));
     let l_shaped = it.look.features.iter().any(|feature| feature.contains("shaped"));
     it.count == 2 && is_sofa && !l_shaped && !it.category.contains("corner") && said.next().is_none()
 }
@@ -104,7 +104,7 @@ fn is_two(plan: &Plan, thing: usize, relation: &str, more: &str) -> bool {
     let it = &plan.draft.things[thing];
     let mut said = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&it.name.as_str()));
     let only = said.all(|s| {
-        !matches!(s.source, Source::Stated(_))
+        !matches!(s.source, ThingOrigin::Stated(_))
             || s.text.contains(relation)
             || s.text.contains("inside(")
             || s.text.contains("onFloor(")
@@ -146,7 +146,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     let middle = (d + ACROSS) / 2.0;
     let free = vec![(Pose { z: middle, y: 0.05, ..Pose::default() }, [w, 1.0, ACROSS])];
     // One gets everywhere with the table there.
-    let stands = Piece {
+    let stands = Footprint {
         thing: usize::MAX,
         at: Pose { z: middle, yaw: 180.0, ..Pose::default() },
         size: Plan::size(TABLE),
@@ -198,7 +198,7 @@ fn table(plan: &mut Plan, first: &str, middle: f64) {
         let pose = from.then(&Pose { z: middle, yaw: 180.0, ..Pose::default() });
         plan.note_place(&name, &pose);
         let size = plan.draft.things[at].size.unwrap_or_default();
-        let piece = Piece { thing: at, at: Pose::default(), size, flat: false, tall: false };
+        let piece = Footprint { thing: at, at: Pose::default(), size, flat: false, tall: false };
         let shape = Shape { pieces: vec![piece], free: Vec::new() };
         plan.ground.iter_mut().for_each(|ground| ground.take(&shape, &pose));
     }

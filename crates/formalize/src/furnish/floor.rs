@@ -87,7 +87,7 @@ impl Block {
 
 /// What one piece of a group takes: where it stands, seen from the group's first thing.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece {
+pub struct Footprint {
     /// Index of the thing in the draft, and which of its elements in this group.
     pub thing: usize,
     /// Its place in the group.
@@ -104,7 +104,7 @@ pub struct Piece {
 #[derive(Clone, Debug, Default)]
 pub struct Shape {
     /// What it consists of.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<Footprint>,
     /// Boxes that are kept free, in the frame of the group, as place and size.
     pub free: Vec<(Pose, [f64; 3])>,
 }
@@ -116,7 +116,7 @@ impl Shape {
     /// The box around the seats that stand all around the first thing.
     fn ring(&self, at: &Pose) -> Option<Block> {
         let first = self.pieces.first()?.thing;
-        let seats = |piece: &&Piece| piece.thing != first && !piece.flat && piece.at.y < LOW;
+        let seats = |piece: &&Footprint| piece.thing != first && !piece.flat && piece.at.y < LOW;
         let one = self.pieces.iter().find(seats)?.thing;
         let own = self.pieces.iter().filter(|piece| piece.thing == one && !piece.flat);
         let blocks: Vec<Block> = own.map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();
@@ -247,7 +247,7 @@ impl Floor {
     /// Whether a group has room at a place.
     pub fn fits(&self, shape: &Shape, at: &Pose) -> bool {
         let bodies = shape.pieces.iter().map(|piece| (piece, Block::of(&at.then(&piece.at), piece.size)));
-        let stands = |(piece, block): (&Piece, Block)| {
+        let stands = |(piece, block): (&Footprint, Block)| {
             let taken = self.bodies.iter().chain(&self.free).any(|other| other.meets(&block));
             let darkens = piece.tall && self.lit.iter().any(|other| other.meets(&block));
             let large = piece.size[0].max(piece.size[2]) > MAT;
@@ -457,7 +457,7 @@ mod tests {
     use super::*;
 
     fn cupboard() -> Shape {
-        let piece = Piece { thing: 0, at: Pose::default(), size: [1.0, 2.0, 0.6], flat: false, tall: true };
+        let piece = Footprint { thing: 0, at: Pose::default(), size: [1.0, 2.0, 0.6], flat: false, tall: true };
         let before = Pose { z: 0.6, ..Pose::default() };
         Shape { pieces: vec![piece], free: vec![(before, [1.0, 1.8, 0.6])] }
     }

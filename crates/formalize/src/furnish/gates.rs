@@ -2,12 +2,12 @@
 
 use super::daylight;
 use super::floor::Pose;
-use super::kinds::{Cover, Kind};
+use super::kinds::{Cover, FurnishingKind};
 use super::openings;
 use super::plan::{Plan, metres};
 use super::seek::Wall;
-use crate::draft::{Draft, Look, Opening, OpeningKind, Source};
-use crate::names::Names;
+use crate::draft::{Draft, Look, Opening, OpeningKind, ThingOrigin};
+use crate::names::GivenNames;
 
 /// What a wide door for cars and goods is called.
 pub const GATE: &str = "garage door";
@@ -24,14 +24,17 @@ const ABOVE_FLOOR: f64 = 0.03;
 const RAIL: f64 = 0.16;
 
 /// The doors that rooms of a kind have beside the ordinary one, in a program of one room; a garage of a home has its gate.
-pub fn doors(draft: &mut Draft, at: usize, kind: &Kind) {
+pub fn doors(draft: &mut Draft, at: usize, kind: &FurnishingKind) {
     let of_home = draft.rooms.len() > 1;
     if of_home && (kind.home.is_none() || kind.gate.is_none()) || draft.outdoor || draft.rooms[at].outline.is_some() {
         return;
     }
     let [w, h, d] = draft.rooms[at].size;
-    let stated =
-        draft.openings.iter().filter(|o| o.kind == OpeningKind::Door).any(|o| matches!(o.source, Source::Stated(_)));
+    let stated = draft
+        .openings
+        .iter()
+        .filter(|o| o.kind == OpeningKind::Door)
+        .any(|o| matches!(o.source, ThingOrigin::Stated(_)));
     if let Some([wide, high]) = kind.gate
         && !stated
         && w.max(d) > wide + 1.6
@@ -55,7 +58,7 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &Kind) {
 }
 
 fn add(draft: &mut Draft, at: usize, name: &str, category: &str, size: [f64; 3], why: &str) {
-    let mut names = Names::default();
+    let mut names = GivenNames::default();
     let taken = draft.rooms.iter().map(|r| &r.name).chain(draft.openings.iter().map(|o| &o.name));
     taken.chain(draft.things.iter().map(|t| &t.name)).for_each(|name| {
         names.take(name);
@@ -67,7 +70,7 @@ fn add(draft: &mut Draft, at: usize, name: &str, category: &str, size: [f64; 3],
         rooms: vec![at],
         size,
         look: Look::default(),
-        source: Source::Inferred(why.to_owned()),
+        source: ThingOrigin::Inferred(why.to_owned()),
     });
 }
 

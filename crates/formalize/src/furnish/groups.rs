@@ -49,7 +49,7 @@ pub enum Where {
 
 /// A part of a group.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct GroupPart {
     /// What.
     pub noun: &'static str,
     /// Where.
@@ -62,7 +62,7 @@ pub struct Part {
 
 /// The parts that go with a thing of this name in rooms that are dressed so (`office`, `school`; empty: as homes are): the
 /// longest ending of the name that the table has, one for such rooms before one for all.
-pub fn of(name: &str, dress: &str) -> &'static [Part] {
+pub fn of(name: &str, dress: &str) -> &'static [GroupPart] {
     let groups = all();
     let words: Vec<&str> = name.split([' ', '_']).collect();
     let found = (0..words.len()).find_map(|from| {
@@ -82,13 +82,13 @@ pub fn turns_corner(name: &str, dress: &str) -> bool {
     of(name, dress).iter().any(|part| matches!(part.at, Where::Side(_, Along::Backs, _, yaw) if yaw != 0.0))
 }
 
-fn all() -> &'static BTreeMap<String, Vec<Part>> {
-    static GROUPS: OnceLock<BTreeMap<String, Vec<Part>>> = OnceLock::new();
+fn all() -> &'static BTreeMap<String, Vec<GroupPart>> {
+    static GROUPS: OnceLock<BTreeMap<String, Vec<GroupPart>>> = OnceLock::new();
     GROUPS.get_or_init(|| parse(include_str!("../../data/groups.txt")))
 }
 
-fn parse(text: &'static str) -> BTreeMap<String, Vec<Part>> {
-    let mut out: BTreeMap<String, Vec<Part>> = BTreeMap::new();
+fn parse(text: &'static str) -> BTreeMap<String, Vec<GroupPart>> {
+    let mut out: BTreeMap<String, Vec<GroupPart>> = BTreeMap::new();
     let mut names: Vec<String> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
         if let Some(list) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
@@ -109,7 +109,7 @@ fn parse(text: &'static str) -> BTreeMap<String, Vec<Part>> {
 }
 
 /// `coffee table | front 0.4 180 | >=12 | 1.1 0.42 0.6`
-fn part(line: &'static str) -> Option<Part> {
+fn part(line: &'static str) -> Option<GroupPart> {
     let mut columns = line.split('|').map(str::trim);
     let noun = columns.next()?;
     let mut words = columns.next()?.split_whitespace();
@@ -139,7 +139,7 @@ fn part(line: &'static str) -> Option<Part> {
         "above" => Where::Above(n(0)?, n(1).unwrap_or(0.0)),
         _ => return None,
     };
-    let mut part = Part { noun, at, least: 0.0, size: None };
+    let mut part = GroupPart { noun, at, least: 0.0, size: None };
     for column in columns.filter(|column| !column.is_empty()) {
         let numbers: Vec<f64> = column.split_whitespace().filter_map(|n| n.parse().ok()).collect();
         match (column.strip_prefix(">="), &numbers[..]) {
@@ -190,7 +190,7 @@ mod tests {
         let mut odd = Vec::new();
         for kind in super::super::kinds::all().iter().filter(|kind| !AT_HOME.contains(&kind.dress)) {
             for line in &kind.lines {
-                let lies = |part: &&Part| matches!(part.at, Where::Top(..) | Where::Board(..));
+                let lies = |part: &&GroupPart| matches!(part.at, Where::Top(..) | Where::Board(..));
                 for part in of(line.noun, kind.dress).iter().filter(lies) {
                     let set = ["cafe table", "altar", "candle stand"].contains(&line.noun)
                         || ["food", "pizza", "wine"].contains(&kind.dress);

@@ -6,12 +6,12 @@ use super::choose::Choice;
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::inventory::{APART, EYES, HUNG_SCREEN};
-use super::kinds::{Line, Place};
+use super::kinds::{Line, PlanPlace};
 use super::plan::{AtWall, Plan};
 use super::spots::{around_hung, near, nominal, watched_from};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::{Source, Thing};
+use crate::draft::{DraftThing, ThingOrigin};
 use crate::names::words;
 
 /// A table that is as long has its lamps over it (metres).
@@ -30,13 +30,13 @@ pub fn waits(plan: &Plan, at: usize) -> bool {
     plan.ground.is_some()
         && thing.count <= MOST
         && (from_ceiling || matches!(stand::group(&thing.category), Group::Wall | Group::Screen))
-        && plan.draft.statements.iter().any(|s| !matches!(s.source, Source::Stated(_)) && hangs(&s.text))
+        && plan.draft.statements.iter().any(|s| !matches!(s.source, ThingOrigin::Stated(_)) && hangs(&s.text))
         && !plan.is_placed(at)
 }
 
 /// Whether such rooms have a place of its own for it, as a classroom for its board.
 pub fn has_place(plan: &Plan, at: usize) -> bool {
-    line(plan, at).is_some_and(|line| matches!(line.place, Place::Back(_) | Place::Front(_)))
+    line(plan, at).is_some_and(|line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)))
 }
 
 fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
@@ -45,7 +45,7 @@ fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
 }
 
 /// One lamp hangs above the middle of the room; several hang in a line over its table, or along it.
-fn lamps(plan: &mut Plan, it: &Thing, y: f64) {
+fn lamps(plan: &mut Plan, it: &DraftThing, y: f64) {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let tables = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
     let mut tables =
@@ -99,7 +99,7 @@ pub fn up(plan: &mut Plan, at: usize) {
         dines: false,
         taught: false,
     };
-    let own = line.filter(|line| it.count == 1 && matches!(line.place, Place::Back(_) | Place::Front(_)));
+    let own = line.filter(|line| it.count == 1 && matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)));
     let own = own.map(|line| (line, nominal(plan, line, size, y)));
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         let own = own.and_then(|(line, nominal)| near(line, floor, shape, nominal));

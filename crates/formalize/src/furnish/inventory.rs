@@ -4,7 +4,7 @@ use super::build::Root;
 use super::choose::Choice;
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::kinds::{self, Count, Line, Place};
+use super::kinds::{self, Count, Line, PlanPlace};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, is_desk, rows};
 use super::spots::{
@@ -13,7 +13,7 @@ use super::spots::{
 use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
 use crate::brief::Group;
-use crate::draft::{Source, Thing};
+use crate::draft::{DraftThing, ThingOrigin};
 use std::cell::RefCell;
 
 /// How high things on walls are looked at.
@@ -52,11 +52,11 @@ pub(super) const TEAM: usize = 2;
 /// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
 pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
     let listed = format!("a {} has ", plan.kind.name);
-    let with_another = |t: &Thing| match &t.source {
-        Source::Inferred(why) => !why.starts_with(&listed),
+    let with_another = |t: &DraftThing| match &t.source {
+        ThingOrigin::Inferred(why) => !why.starts_with(&listed),
         _ => false,
     };
-    let hung = line.place == Place::Hung || line.place == Place::Ceiling;
+    let hung = line.place == PlanPlace::Hung || line.place == PlanPlace::Ceiling;
     let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
     // One mirror is enough.
     let hung = hung && line.noun != "mirror";
@@ -65,21 +65,21 @@ pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
 
 /// Whether people sit around such a thing.
 pub(super) fn has_seats(plan: &Plan, noun: &str) -> bool {
-    let around = |part: &groups::Part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
+    let around = |part: &groups::GroupPart| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
     stand::group(noun) == Group::Table && groups::of(noun, plan.kind.dress).iter().any(around)
 }
 
 /// Whether several tables for people are asked for: their number is what the request says, whatever they are called.
 pub(super) fn several_tables(plan: &Plan) -> bool {
     let mut asked = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count > 1);
-    asked.any(|t| matches!(t.source, Source::Stated(_)) && has_seats(plan, &t.category.replace('_', " ")))
+    asked.any(|t| matches!(t.source, ThingOrigin::Stated(_)) && has_seats(plan, &t.category.replace('_', " ")))
 }
 
 /// Adds a line of the inventory.
 pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
-    let closed = if line.place == Place::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
-    let seats = has_seats(plan, line.noun) || matches!(line.place, Place::Rows(_)) && is_desk(line.noun);
+    let closed = if line.place == PlanPlace::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
+    let seats = has_seats(plan, line.noun) || matches!(line.place, PlanPlace::Rows(_)) && is_desk(line.noun);
     let seated = seats && several_tables(plan);
     let is_small = plan.counted < line.least && !shows_on(plan, line);
     if is_small || closed || seated || plan.is_furnished() || came_along(plan, line) {
@@ -99,14 +99,14 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     };
     let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
     match &line.place {
-        Place::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
-        Place::Edge if line.noun.ends_with("wall") => edge::house(plan, line, &why),
-        Place::Edge => edge::railing(plan, line, &why),
-        Place::Rows(toward) => {
+        PlanPlace::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
+        PlanPlace::Edge if line.noun.ends_with("wall") => edge::house(plan, line, &why),
+        PlanPlace::Edge => edge::railing(plan, line, &why),
+        PlanPlace::Rows(toward) => {
             rows(plan, line.noun, n, *toward, (&why, None));
         }
         // The desks of a team stand in groups, not one by one.
-        Place::Floor if n >= TEAM && is_desk(line.noun) => {
+        PlanPlace::Floor if n >= TEAM && is_desk(line.noun) => {
             rows(plan, line.noun, n, false, (&why, None));
         }
         _ => single(plan, line, n, &why),
@@ -122,7 +122,7 @@ fn shows_on(plan: &Plan, line: &Line) -> bool {
 /// Whether books are asked for, of which nobody says how many: "lots of books".
 pub(super) fn has_books(plan: &Plan) -> bool {
     let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
-    here.any(|t| t.count > 1 && t.category == "book" && matches!(t.source, Source::Stated(_)))
+    here.any(|t| t.count > 1 && t.category == "book" && matches!(t.source, ThingOrigin::Stated(_)))
 }
 
 /// For how many people a room is of which nobody says it: fewer in a small one, more in a large one.
@@ -135,7 +135,7 @@ pub(super) fn usual_people(plan: &Plan) -> f64 {
 
 /// How long a counter before the wall at the back is at least, in metres; 0 for anything else.
 pub(super) fn counter_length(plan: &Plan, line: &Line) -> f64 {
-    let is_counter = matches!(line.place, Place::Before(_, 180.0)) && line.noun.ends_with("counter");
+    let is_counter = matches!(line.place, PlanPlace::Before(_, 180.0)) && line.noun.ends_with("counter");
     let length = COUNTER * plan.draft.rooms[plan.room].size[0];
     if is_counter { (length * 10.0).round() / 10.0 } else { 0.0 }
 }
@@ -152,9 +152,10 @@ fn under_screen(plan: &Plan, line: &Line) -> f64 {
 /// The size of a thing; a table is as long as the people need who sit at it.
 pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     let mut size = Plan::size(noun);
-    let around = |part: &&groups::Part| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
+    let around =
+        |part: &&groups::GroupPart| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
     let all = kinds::seats_all(plan.kind, noun);
-    let sits = |part: &&groups::Part| around(part) && (all || matches!(part.at, groups::Where::Around(..)));
+    let sits = |part: &&groups::GroupPart| around(part) && (all || matches!(part.at, groups::Where::Around(..)));
     let seats = groups::of(noun, plan.kind.dress).iter().find(sits);
     if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
         let [w, _, d] = plan.draft.rooms[plan.room].size;
@@ -164,14 +165,16 @@ pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
         size[0] = size[0].max(needed.min(w.max(d) - 2.0));
     }
     // A bar is as long as the stools need that are asked for and stand at it, and a table as its chairs do.
-    let at_length = |part: &&groups::Part| matches!(part.at, groups::Where::Row(..) | groups::Where::LongSides(..));
+    let at_length =
+        |part: &&groups::GroupPart| matches!(part.at, groups::Where::Row(..) | groups::Where::LongSides(..));
     let row = groups::of(noun, plan.kind.dress).iter().find(at_length);
     if let (Some(part), 1) = (row, n) {
         let stools = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
-        let stools = stools.filter(|t| matches!(t.source, Source::Stated(_)) && !stand::placed(plan.draft, &t.name));
+        let stools =
+            stools.filter(|t| matches!(t.source, ThingOrigin::Stated(_)) && !stand::placed(plan.draft, &t.name));
         let stools = stools.filter(|t| stand::counts_as(part.noun, &t.category.replace('_', " ")));
         let sides = if matches!(part.at, groups::Where::Row(..)) { 1 } else { 2 };
-        let own = |t: &Thing| t.size.map_or(0.4, |own| own[0]);
+        let own = |t: &DraftThing| t.size.map_or(0.4, |own| own[0]);
         let needed = stools.map(|t| slots::row(t.count.div_ceil(sides), own(t))).fold(0.0, f64::max);
         let [w, _, d] = plan.draft.rooms[plan.room].size;
         size[0] = size[0].max((needed.min(w.max(d) - 2.0) * 100.0).ceil() / 100.0);
@@ -189,10 +192,10 @@ fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
     const STAGE: f64 = 0.66;
     const LARGEST_STAGE: f64 = 12.0;
     let [width, height, _] = plan.draft.rooms[plan.room].size;
-    if line.noun == "tv" && line.place == Place::Hung {
+    if line.noun == "tv" && line.place == PlanPlace::Hung {
         return [w, h, HUNG_SCREEN];
     }
-    if !matches!(line.place, Place::Back(_)) {
+    if !matches!(line.place, PlanPlace::Back(_)) {
         return [w, h, d];
     }
     if line.noun.ends_with("board") {
@@ -205,7 +208,7 @@ fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
         return [w, h, d];
     }
     // Rows of seats look at nothing else.
-    let watched = |line: &Line| line.place == Place::Rows(true) && stand::group(line.noun) == Group::Seat;
+    let watched = |line: &Line| line.place == PlanPlace::Rows(true) && stand::group(line.noun) == Group::Seat;
     let [share, largest] = if plan.kind.lines.iter().any(watched) { WATCHED } else { [SHARE, LARGEST] };
     let wide = (share * width).min(largest).min(1.7 * (height - BELOW)).max(w);
     [wide, h.max(0.56 * wide), d]
@@ -238,20 +241,20 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
 
 /// Whether such rooms have a screen across from the sofa.
 pub(super) fn is_watched_room(plan: &Plan) -> bool {
-    plan.kind.lines.iter().any(|line| matches!(&line.place, Place::Opposite(other) if other.ends_with("sofa")))
+    plan.kind.lines.iter().any(|line| matches!(&line.place, PlanPlace::Opposite(other) if other.ends_with("sofa")))
 }
 
 /// The name of the thing that a line's thing looks at from across the room.
 pub(super) fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
-    let Place::Opposite(other) = &line.place else { return None };
-    let is_it = |t: &&Thing| {
+    let PlanPlace::Opposite(other) = &line.place else { return None };
+    let is_it = |t: &&DraftThing| {
         let noun = t.category.replace('_', " ");
         t.room == Some(plan.room) && (noun.ends_with(other.as_str()) || stand::are_kin(other, &noun))
     };
     let one = plan.draft.things.iter().find(|t| t.count == 1 && is_it(t)).map(|t| t.name.clone());
     // Of two in a corner, the first.
     let turn = |name: String| plan.place_in_room(&name).map(|at| at.yaw);
-    let is_bent = |t: &&Thing| match [0, 1].map(|i| turn(format!("{}[{i}]", t.name))) {
+    let is_bent = |t: &&DraftThing| match [0, 1].map(|i| turn(format!("{}[{i}]", t.name))) {
         [Some(first), Some(second)] => (first - second).rem_euclid(180.0) == 90.0,
         _ => false,
     };
@@ -261,8 +264,9 @@ pub(super) fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
 
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
 pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], whole: bool) -> bool {
-    let hung = line.place == Place::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
-    let at_wall = !matches!(line.place, Place::Middle | Place::Floor | Place::Before(..) | Place::Service(_));
+    let hung = line.place == PlanPlace::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
+    let at_wall =
+        !matches!(line.place, PlanPlace::Middle | PlanPlace::Floor | PlanPlace::Before(..) | PlanPlace::Service(_));
     // Where places are known, they say better what there is room for.
     let small = size[0] * size[2] < SMALL;
     let room_for =
@@ -274,7 +278,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let y = if hung { hung_at(plan, line, size[1]) } else { 0.0 };
     let opposite = opposite_of(plan, line);
     let opposite_pose = opposite.as_ref().and_then(|name| plan.place_in_room(name));
-    let aside = matches!(line.place, Place::Opposite(_)).then(|| beside_pair(plan)).flatten();
+    let aside = matches!(line.place, PlanPlace::Opposite(_)).then(|| beside_pair(plan)).flatten();
     let watched = if line.noun.ends_with("tv") { watched_from(plan) } else { opposite_pose };
     let windows = window_walls(plan);
     let beds = if line.noun.ends_with("tv") { beds(plan) } else { Vec::new() };
@@ -298,30 +302,30 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let (dress, bent) = (plan.kind.dress, groups::turns_corner(line.noun, plan.kind.dress));
     let row = RefCell::new(Vec::new());
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| match &line.place {
-        _ if hung && matches!(line.place, Place::Hung | Place::Wall) => choice.hung(floor, shape, before, y),
-        Place::Wall | Place::Run | Place::Hung => in_row(&choice, floor, shape, before, (n, false), &row)
-            .filter(|_| line.place == Place::Wall)
+        _ if hung && matches!(line.place, PlanPlace::Hung | PlanPlace::Wall) => choice.hung(floor, shape, before, y),
+        PlanPlace::Wall | PlanPlace::Run | PlanPlace::Hung => in_row(&choice, floor, shape, before, (n, false), &row)
+            .filter(|_| line.place == PlanPlace::Wall)
             .or_else(|| choice.in_corner(floor, shape, before).filter(|_| bent))
             .or_else(|| choice.wall(floor, shape, before)),
-        Place::Service(gap) => lanes(&choice, floor, shape, before, (n, *gap), &row),
-        Place::Opposite(_) => choice
+        PlanPlace::Service(gap) => lanes(&choice, floor, shape, before, (n, *gap), &row),
+        PlanPlace::Opposite(_) => choice
             .wall(floor, shape, before)
             .or_else(|| aside.and_then(|_| behind.wall(floor, shape, before)))
             .or_else(|| anywhere.wall(floor, shape, before)),
-        Place::Corner => choice.corner(floor, shape, before),
-        Place::Floor if n == 1 && groups::is_visited(line.noun, dress) => {
+        PlanPlace::Corner => choice.corner(floor, shape, before),
+        PlanPlace::Floor if n == 1 && groups::is_visited(line.noun, dress) => {
             choice.received_at(floor, shape).or_else(|| choice.floor(floor, shape, before, &[0.0, 90.0]))
         }
-        Place::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
-        Place::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
+        PlanPlace::Floor => free(&choice, floor, shape, before, (n, &[0.0, 90.0]), &row),
+        PlanPlace::Middle if n > 1 => free(&choice, floor, shape, before, (n, &[0.0]), &row),
         _ => near(line, floor, shape, nominal),
     };
-    let run = line.place == Place::Run && n > 1;
+    let run = line.place == PlanPlace::Run && n > 1;
     let together = |n: usize, gap: f64| -> Vec<Pose> {
         let n = if run { n } else { 1 };
         (0..n).map(|i| Pose { x: i as f64 * (size[0] + gap), ..Pose::default() }).collect()
     };
-    let wall = if at_wall && !hung && line.place != Place::Corner { AtWall::Yes } else { AtWall::No };
+    let wall = if at_wall && !hung && line.place != PlanPlace::Corner { AtWall::Yes } else { AtWall::No };
     let mut add = |plan: &mut Plan, n: usize| {
         if !hung {
             plan.take(size, n, at_wall);
@@ -377,11 +381,11 @@ fn amiss(plan: &Plan, line: &Line, poses: &[Pose], is_scattered: bool, opposite:
         return 0;
     }
     // Several tables that stand where there is a gap.
-    let scattered = line.place == Place::Floor && poses.len() > 1 && is_scattered && has_seats(plan, line.noun);
+    let scattered = line.place == PlanPlace::Floor && poses.len() > 1 && is_scattered && has_seats(plan, line.noun);
     // People who share a workroom sit side by side.
     let apart = is_desk(line.noun) && matches!(poses, [first, second] if first.yaw != second.yaw);
     let askew = match (&line.place, opposite, poses.first()) {
-        (Place::Opposite(_), Some(seen), Some(at)) => (seen.yaw - at.yaw).rem_euclid(360.0) != 180.0,
+        (PlanPlace::Opposite(_), Some(seen), Some(at)) => (seen.yaw - at.yaw).rem_euclid(360.0) != 180.0,
         _ => false,
     };
     usize::from(scattered) + usize::from(apart) + usize::from(askew)

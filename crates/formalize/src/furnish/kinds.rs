@@ -18,7 +18,7 @@ pub enum Count {
 
 /// Where in the room a thing stands.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Place {
+pub enum PlanPlace {
     /// With its back at any wall.
     Wall,
     /// In a row with its back at a wall.
@@ -57,7 +57,7 @@ pub struct Line {
     /// What.
     pub noun: &'static str,
     /// Where.
-    pub place: Place,
+    pub place: PlanPlace,
     /// Only in rooms of at least so many square metres.
     pub least: f64,
     /// Of several in a run: so far apart.
@@ -87,7 +87,7 @@ impl Cover {
 
 /// A kind of room.
 #[derive(Clone, Debug, Default)]
-pub struct Kind {
+pub struct FurnishingKind {
     /// "living room".
     pub name: &'static str,
     /// What else it is called.
@@ -132,7 +132,7 @@ pub struct Kind {
     pub curtains: Option<Cover>,
 }
 
-impl Kind {
+impl FurnishingKind {
     /// Whether a home eats in such a room, so that the living room needs no dining table.
     pub fn is_eaten_in(&self) -> bool {
         matches!(self.name, "dining room" | "kitchen diner")
@@ -140,7 +140,7 @@ impl Kind {
 
     /// Whether a television hangs across from the bed.
     pub fn has_hung_screen(&self) -> bool {
-        let hangs = self.lines.iter().any(|line| line.noun == "tv" && line.place == Place::Hung);
+        let hangs = self.lines.iter().any(|line| line.noun == "tv" && line.place == PlanPlace::Hung);
         hangs && self.lines.iter().any(|line| line.noun.ends_with("bed"))
     }
 }
@@ -149,20 +149,20 @@ impl Kind {
 const IDLE: f64 = 0.13;
 
 /// All kinds, in the order of the table.
-pub fn all() -> &'static [Kind] {
-    static KINDS: OnceLock<Vec<Kind>> = OnceLock::new();
+pub fn all() -> &'static [FurnishingKind] {
+    static KINDS: OnceLock<Vec<FurnishingKind>> = OnceLock::new();
     KINDS.get_or_init(|| parse(include_str!("../../data/kinds.txt")))
 }
 
 /// The kind whose name ends a room's name: "a small meeting room" is a meeting room.
-pub fn of(room: &str) -> Option<&'static Kind> {
+pub fn of(room: &str) -> Option<&'static FurnishingKind> {
     let words: Vec<String> = room.split_whitespace().map(one).collect();
     (0..words.len()).find_map(|from| by_name().get(&words[from..].join(" ")).copied())
 }
 
 /// All kinds by their names in the singular; of two kinds with the same name the first.
-fn by_name() -> &'static HashMap<String, &'static Kind> {
-    static NAMES: OnceLock<HashMap<String, &'static Kind>> = OnceLock::new();
+fn by_name() -> &'static HashMap<String, &'static FurnishingKind> {
+    static NAMES: OnceLock<HashMap<String, &'static FurnishingKind>> = OnceLock::new();
     NAMES.get_or_init(|| {
         let mut names = HashMap::new();
         for kind in all() {
@@ -175,7 +175,7 @@ fn by_name() -> &'static HashMap<String, &'static Kind> {
 }
 
 /// Whether all who are in such a room sit at a table of this name: not where each has a place of their own elsewhere.
-pub fn seats_all(kind: &Kind, table: &str) -> bool {
+pub fn seats_all(kind: &FurnishingKind, table: &str) -> bool {
     let mut places = kind.lines.iter().filter(|line| matches!(line.count, Count::People(_)));
     places.all(|line| super::stand::counts_as(line.noun, table))
 }
@@ -186,11 +186,11 @@ fn one(word: &str) -> String {
     if plural(word) { singular(word) } else { word.to_owned() }
 }
 
-fn parse(text: &'static str) -> Vec<Kind> {
-    let mut out: Vec<Kind> = Vec::new();
+fn parse(text: &'static str) -> Vec<FurnishingKind> {
+    let mut out: Vec<FurnishingKind> = Vec::new();
     for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
         if let Some(name) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-            out.push(Kind { name, fill: 0.5, idle: IDLE, wood: "oak", ..Kind::default() });
+            out.push(FurnishingKind { name, fill: 0.5, idle: IDLE, wood: "oak", ..FurnishingKind::default() });
             continue;
         }
         let Some(kind) = out.last_mut() else { continue };
@@ -202,7 +202,7 @@ fn parse(text: &'static str) -> Vec<Kind> {
     out
 }
 
-fn set(kind: &mut Kind, key: &str, value: &'static str) {
+fn set(kind: &mut FurnishingKind, key: &str, value: &'static str) {
     let list = || value.split(',').map(str::trim).filter(|word| !word.is_empty()).collect::<Vec<_>>();
     let numbers = || value.split_whitespace().filter_map(|n| n.parse().ok()).collect::<Vec<f64>>();
     match key {
@@ -263,32 +263,32 @@ fn entry(line: &'static str) -> Option<Line> {
     let rest = &words[at + 1..];
     let number = || rest.first().and_then(|n| n.parse().ok()).unwrap_or(0.0);
     let place = match words[at] {
-        "wall" => Place::Wall,
-        "run" => Place::Run,
-        "corner" => Place::Corner,
-        "middle" => Place::Middle,
-        "floor" => Place::Floor,
-        "rows" => Place::Rows(true),
-        "rowsaway" => Place::Rows(false),
-        "back" => Place::Back(number()),
-        "front" => Place::Front(number()),
-        "before" => Place::Before(number(), rest.get(1).and_then(|n| n.parse().ok()).unwrap_or(180.0)),
-        "service" => Place::Service(number()),
+        "wall" => PlanPlace::Wall,
+        "run" => PlanPlace::Run,
+        "corner" => PlanPlace::Corner,
+        "middle" => PlanPlace::Middle,
+        "floor" => PlanPlace::Floor,
+        "rows" => PlanPlace::Rows(true),
+        "rowsaway" => PlanPlace::Rows(false),
+        "back" => PlanPlace::Back(number()),
+        "front" => PlanPlace::Front(number()),
+        "before" => PlanPlace::Before(number(), rest.get(1).and_then(|n| n.parse().ok()).unwrap_or(180.0)),
+        "service" => PlanPlace::Service(number()),
         "opposite" => {
-            Place::Opposite(rest.iter().take_while(|w| !w.starts_with('>')).copied().collect::<Vec<_>>().join(" "))
+            PlanPlace::Opposite(rest.iter().take_while(|w| !w.starts_with('>')).copied().collect::<Vec<_>>().join(" "))
         }
-        "hung" => Place::Hung,
-        "edge" => Place::Edge,
-        _ => Place::Ceiling,
+        "hung" => PlanPlace::Hung,
+        "edge" => PlanPlace::Edge,
+        _ => PlanPlace::Ceiling,
     };
     let least = rest.iter().find_map(|w| w.strip_prefix(">=")?.parse().ok()).unwrap_or(0.0);
     let gap = match place {
-        Place::Run => number().max(0.01),
-        Place::Before(..) => rest.get(2).and_then(|n| n.parse().ok()).unwrap_or(0.0),
+        PlanPlace::Run => number().max(0.01),
+        PlanPlace::Before(..) => rest.get(2).and_then(|n| n.parse().ok()).unwrap_or(0.0),
         _ => 0.0,
     };
     let by = match place {
-        Place::Hung | Place::Wall | Place::Floor | Place::Corner => rest_of(line, rest),
+        PlanPlace::Hung | PlanPlace::Wall | PlanPlace::Floor | PlanPlace::Corner => rest_of(line, rest),
         _ => "",
     };
     Some(Line { count, noun, place, least, gap, by })
@@ -317,8 +317,8 @@ mod tests {
         for kind in all() {
             assert!(kind.size.iter().all(|v| *v > 1.5) && kind.people > 0.0 && !kind.walls.is_empty(), "{kind:?}");
             assert!(!kind.floor.0.is_empty() && !kind.colors.is_empty() && !kind.lines.is_empty(), "{kind:?}");
-            let lit = kind.lines.iter().any(|l| l.place == Place::Ceiling);
-            let open = kind.name == "garden" || kind.lines.iter().any(|l| l.place == Place::Edge);
+            let lit = kind.lines.iter().any(|l| l.place == PlanPlace::Ceiling);
+            let open = kind.name == "garden" || kind.lines.iter().any(|l| l.place == PlanPlace::Edge);
             assert!(lit || open, "{}", kind.name);
             let colors = kind.colors.iter().chain([&kind.walls, &kind.floor.1]).filter(|c| !c.is_empty());
             assert!(colors.clone().all(|c| crate::colors::known(c).is_some()), "{}: {:?}", kind.name, kind.colors);

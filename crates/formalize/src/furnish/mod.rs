@@ -40,8 +40,8 @@ mod tops;
 mod twin;
 mod whom;
 
-use crate::brief::{Brief, Fact, Group, Number, Pattern, Rel, What};
-use crate::draft::{Draft, Source, Thing};
+use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Rel};
+use crate::draft::{Draft, DraftThing, ThingOrigin};
 pub use area::overfull;
 pub(crate) use gates::GATE;
 use number::{Scale, scale};
@@ -77,7 +77,7 @@ pub fn measure(brief: &mut Brief) {
         }
         let by = (area / (w * d)).sqrt();
         // Who looks at a screen across the room is not too far from it.
-        let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Opposite(_)));
+        let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::PlanPlace::Opposite(_)));
         let deep = ACROSS.max(area / LONGEST);
         let is_deep = brief.rooms.len() == 1 && watched && d * by > deep;
         brief.rooms[at].usual = Some(if is_deep { [area / deep, h, deep] } else { [w * by, h, d * by] });
@@ -172,7 +172,7 @@ pub fn refine(brief: &mut Brief) {
 /// In how many rows things stand of which nobody says how many there are: "six rows of racks".
 fn rows(brief: &Brief, at: usize) -> Option<usize> {
     let of = |fact: &Fact| match fact.what {
-        What::Pattern(Pattern::Rows(rows)) if fact.of == [at] => Some(rows),
+        FactKind::Pattern(Pattern::Rows(rows)) if fact.of == [at] => Some(rows),
         _ => None,
     };
     let plural = |_: &usize| brief.things[at].number == Number::Plural;
@@ -240,14 +240,14 @@ const SEVERAL: usize = 2;
 
 /// How many seats stand around the tables of such a room that are asked for, or else that such a room has: "ten tables and
 /// chairs".
-fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
+fn at_tables(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
     let thing = &brief.things[at];
     let meant = |name: String| match kind.means.iter().find(|(said, _)| *said == name) {
         Some((_, noun)) => (*noun).to_owned(),
         None => name,
     };
     let elsewhere = |fact: &Fact| {
-        let at_table = matches!(fact.what, What::Rel(Rel::Around | Rel::At, _));
+        let at_table = matches!(fact.what, FactKind::Rel(Rel::Around | Rel::At, _));
         fact.of.contains(&at) && !at_table
     };
     if brief.facts.iter().any(elsewhere) {
@@ -268,7 +268,8 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::Kind) -> Option<usize> {
     // All sit at the one table of such a room.
     let all = |table: &str| {
         let at_one = |line: &&kinds::Line| {
-            line.count == kinds::Count::Fixed(1) && matches!(line.place, kinds::Place::Middle | kinds::Place::Floor)
+            line.count == kinds::Count::Fixed(1)
+                && matches!(line.place, kinds::PlanPlace::Middle | kinds::PlanPlace::Floor)
         };
         let mut lines = kind.lines.iter().filter(at_one);
         lines
@@ -299,9 +300,15 @@ fn is_many(brief: &Brief, at: usize) -> bool {
 }
 
 /// How many of a thing a room has by the line of its kind that has such things.
-fn usual_number(brief: &Brief, at: usize, kind: &kinds::Kind, line: &kinds::Line, plural: bool) -> Option<usize> {
+fn usual_number(
+    brief: &Brief,
+    at: usize,
+    kind: &kinds::FurnishingKind,
+    line: &kinds::Line,
+    plural: bool,
+) -> Option<usize> {
     let thing = &brief.things[at];
-    let rows = matches!(line.place, kinds::Place::Rows(_)) && plural;
+    let rows = matches!(line.place, kinds::PlanPlace::Rows(_)) && plural;
     match line.count {
         // "A pharmacy with shelves": as many as such shops have.
         kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
@@ -309,11 +316,13 @@ fn usual_number(brief: &Brief, at: usize, kind: &kinds::Kind, line: &kinds::Line
         kinds::Count::People(each) if plural && thing.group == Group::Table => {
             let people = brief.rooms.get(thing.room)?.people;
             // Nobody says how many eat there: as many as usual.
-            let eats = kind.lines.iter().any(|line| matches!(line.place, kinds::Place::Before(_, 180.0)));
+            let eats = kind.lines.iter().any(|line| matches!(line.place, kinds::PlanPlace::Before(_, 180.0)));
             let people = people.map(|n| n as f64).or(Some(kind.people).filter(|_| eats || rows))?;
             Some((people / each).ceil().max(2.0) as usize)
         }
-        kinds::Count::Area(each) if rows || plural && matches!(line.place, kinds::Place::Run | kinds::Place::Wall) => {
+        kinds::Count::Area(each)
+            if rows || plural && matches!(line.place, kinds::PlanPlace::Run | kinds::PlanPlace::Wall) =>
+        {
             Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize)
         }
         // "A church with pews": as many as its people need.
@@ -356,7 +365,7 @@ fn named(brief: &mut Brief) {
 
 /// Adds to each room of a draft what such rooms have.
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
-    let is_named = |thing: &&Thing| !is_among_more(draft, brief, thing);
+    let is_named = |thing: &&DraftThing| !is_among_more(draft, brief, thing);
     let mut closed: Vec<String> =
         draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();
     closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
@@ -379,8 +388,8 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
 
 /// Whether "shelves" are asked for, with nothing else said of them, in a room that has several rows of those: others are added to
 /// them.
-fn is_among_more(draft: &Draft, brief: &Brief, thing: &Thing) -> bool {
-    let (Source::Stated(_), Some(room)) = (&thing.source, thing.room) else { return false };
+fn is_among_more(draft: &Draft, brief: &Brief, thing: &DraftThing) -> bool {
+    let (ThingOrigin::Stated(_), Some(room)) = (&thing.source, thing.room) else { return false };
     let said = brief.request.get(thing.source.at()).unwrap_or("");
     let Some(kind) = kinds::of(&draft.rooms[room].kind) else { return false };
     let noun = thing.category.replace('_', " ");
@@ -390,7 +399,7 @@ fn is_among_more(draft: &Draft, brief: &Brief, thing: &Thing) -> bool {
 
 /// Whether a room is the only bedroom of a home that has a room for clothes.
 fn has_closet(draft: &Draft, at: usize) -> bool {
-    let is = |room: &crate::draft::Room, name: &str| kinds::of(&room.kind).is_some_and(|kind| kind.name == name);
+    let is = |room: &crate::draft::DraftRoom, name: &str| kinds::of(&room.kind).is_some_and(|kind| kind.name == name);
     let bedrooms = draft.rooms.iter().filter(|room| is(room, "bedroom")).count();
     bedrooms == 1 && is(&draft.rooms[at], "bedroom") && draft.rooms.iter().any(|room| is(room, "walk-in closet"))
 }

@@ -79,7 +79,7 @@ pub fn doors(draft: &mut Draft, room: usize) {
         }
         let beyond = door.rooms.iter().copied().find(|other| *other != room);
         // One comes in at the end of the aisle between pews.
-        let pews = |kind: &kinds::Kind| kind.lines.iter().any(|line| line.noun.ends_with("pew"));
+        let pews = |kind: &kinds::FurnishingKind| kind.lines.iter().any(|line| line.noun.ends_with("pew"));
         let to_aisle = beyond.is_none() && kinds::of(&draft.rooms[room].kind).is_some_and(pews);
         let bathroom = beyond.is_none().then(|| bathroom(draft, room)).flatten();
         let mut best: Option<(f64, Pose)> = None;

@@ -2,7 +2,7 @@
 //! something of the inventory, and last what stands on things.
 
 use super::inventory::{TEAM, has_seats};
-use super::kinds::{Count, Line, Place};
+use super::kinds::{Count, Line, PlanPlace};
 use super::plan::Plan;
 use super::room::{MATTER, tables};
 use super::{hang, stand, tops};
@@ -82,9 +82,9 @@ impl Order {
         let before_tables = if self.many_tables || self.many_seats || is_wall { MATTER } else { 0 };
         let lines = plan.kind.lines.iter().enumerate();
         let early = lines.filter(|(at, line)| match line.place {
-            Place::Before(_, 180.0) | Place::Service(_) => *at < before_tables,
+            PlanPlace::Before(_, 180.0) | PlanPlace::Service(_) => *at < before_tables,
             // What stands at the edge of a balcony stands before its railing.
-            Place::Edge => true,
+            PlanPlace::Edge => true,
             _ => false,
         });
         early.map(|(_, line)| line).collect()
@@ -102,13 +102,13 @@ fn is_wall_of(plan: &Plan, at: usize) -> bool {
 /// of an office to the desks; or whether it is watched from a seat, which has its place before.
 fn is_later(plan: &Plan, at: usize) -> bool {
     let first = plan.kind.lines.first();
-    let at_walls = first.is_some_and(|line| matches!(line.place, Place::Wall | Place::Run));
+    let at_walls = first.is_some_and(|line| matches!(line.place, PlanPlace::Wall | PlanPlace::Run));
     let at_desks = first.is_some_and(|line| {
         matches!(line.count, Count::People(_)) && line.noun.ends_with("desk") && plan.people.is_some_and(|n| n >= TEAM)
     });
     let noun = plan.draft.things[at].category.replace('_', " ");
     let is_watched = plan.kind.lines.iter().any(|line| {
-        matches!(line.place, Place::Opposite(_)) && stand::counts_as(line.noun, &noun) && !plan.is_placed(at)
+        matches!(line.place, PlanPlace::Opposite(_)) && stand::counts_as(line.noun, &noun) && !plan.is_placed(at)
     });
     // An island stands before the worktops.
     is_watched || at_walls && noun.ends_with("island") || (at_walls || at_desks) && has_seats(plan, &noun)

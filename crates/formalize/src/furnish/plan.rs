@@ -2,13 +2,13 @@
 
 use super::build::Building;
 use super::floor::Floor;
-use super::groups::{self, Along, Part, Where};
-use super::kinds::{Kind, Place, seats_all};
+use super::groups::{self, Along, GroupPart, Where};
+use super::kinds::{FurnishingKind, PlanPlace, seats_all};
 use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, in_row, slots};
 use super::{place, stand, taste, tops};
 use crate::brief::Group;
-use crate::draft::{Draft, OpeningKind, Source, Statement, Thing};
-use crate::names::{Names, identifier, words};
+use crate::draft::{Draft, DraftThing, OpeningKind, Statement, ThingOrigin};
+use crate::names::{GivenNames, identifier, words};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
 use crate::write::number;
@@ -34,9 +34,9 @@ pub struct Plan<'a> {
     /// The room.
     pub room: usize,
     /// Its kind.
-    pub kind: &'static Kind,
+    pub kind: &'static FurnishingKind,
     /// Names that are given.
-    pub names: Names,
+    pub names: GivenNames,
     /// Nouns that are asked for or ruled out.
     closed: Vec<String>,
     /// The square metres that its inventory is counted by: those of such a room, which may be larger.
@@ -81,11 +81,11 @@ impl<'a> Plan<'a> {
     pub fn new(
         draft: &'a mut Draft,
         room: usize,
-        kind: &'static Kind,
+        kind: &'static FurnishingKind,
         closed: Vec<String>,
         people: Option<usize>,
     ) -> Self {
-        let mut names = Names::default();
+        let mut names = GivenNames::default();
         let rooms = draft.rooms.iter().map(|r| &r.name);
         let all = rooms.chain(draft.openings.iter().map(|o| &o.name)).chain(draft.things.iter().map(|t| &t.name));
         all.for_each(|name| {
@@ -128,13 +128,13 @@ impl<'a> Plan<'a> {
 
     /// Whether one eats in the room for want of another, beside what such a room has.
     pub fn dines(&self) -> bool {
-        let eats = |room: &crate::draft::Room| super::kinds::of(&room.kind).is_some_and(|kind| kind.is_eaten_in());
+        let eats = |room: &crate::draft::DraftRoom| super::kinds::of(&room.kind).is_some_and(|kind| kind.is_eaten_in());
         self.kind.eat.is_some() && self.draft.rooms.len() > 1 && !self.draft.rooms.iter().any(eats)
     }
 
     /// Whether rows of people look to the back of the room.
     pub fn is_taught(&self) -> bool {
-        self.kind.lines.iter().any(|line| line.place == Place::Rows(true))
+        self.kind.lines.iter().any(|line| line.place == PlanPlace::Rows(true))
     }
 
     /// Square metres.
@@ -216,19 +216,19 @@ impl<'a> Plan<'a> {
         let mut look = taste::look(self.kind, noun, self.turn);
         let category = noun.replace(' ', "_");
         let mut like = self.draft.things.iter().filter(|t| t.room == Some(self.room) && t.category == category);
-        match like.find_map(|t| t.look.color.clone().filter(|_| matches!(t.source, Source::Inferred(_)))) {
+        match like.find_map(|t| t.look.color.clone().filter(|_| matches!(t.source, ThingOrigin::Inferred(_)))) {
             // Chairs of one kind have one colour.
             Some(color) if look.color.is_some() && stand::group(noun) == Group::Seat => look.color = Some(color),
             _ => self.turn += usize::from(look.color.is_some() || !look.features.is_empty()),
         }
-        self.draft.things.push(Thing {
+        self.draft.things.push(DraftThing {
             name: self.names.take(&identifier(noun, "thing")),
             category,
             count,
             room: Some(self.room),
             size: Some(size.map(|v| (v * 1000.0).round() / 1000.0)),
             look,
-            source: Source::Inferred(why.to_owned()),
+            source: ThingOrigin::Inferred(why.to_owned()),
         });
         self.draft.things.len() - 1
     }
@@ -241,7 +241,7 @@ impl<'a> Plan<'a> {
     /// Adds a statement.
     #[expect(clippy::needless_pass_by_value, reason = "callers make the text for this call")]
     pub fn say(&mut self, text: String, why: &str) {
-        self.draft.statements.push(Statement::new(&text, Source::Inferred(why.to_owned())));
+        self.draft.statements.push(Statement::new(&text, ThingOrigin::Inferred(why.to_owned())));
     }
 
     /// The name by which the table of groups knows a thing: its own, or that of what such rooms have instead. An armchair in
@@ -275,7 +275,7 @@ impl<'a> Plan<'a> {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
             // Nothing hangs from the sky.
-            let roofed = self.kind.lines.iter().any(|line| line.place == Place::Ceiling);
+            let roofed = self.kind.lines.iter().any(|line| line.place == PlanPlace::Ceiling);
             // Only boxes are kept out of reach.
             let is_high =
                 matches!(part.at, Where::Top(..)) && self.draft.things[thing].size.is_some_and(|s| s[1] > HIGH);
@@ -300,7 +300,7 @@ impl<'a> Plan<'a> {
     }
 
     /// How many elements of a thing that is there already need a part: none if such things are there.
-    fn part(&mut self, thing: usize, part: &Part, wall: AtWall, deep: usize, taken: &mut Vec<Taken>) {
+    fn part(&mut self, thing: usize, part: &GroupPart, wall: AtWall, deep: usize, taken: &mut Vec<Taken>) {
         let noun = part.noun;
         let Some(of) = self.draft.things[thing].size else { return };
         let anchors = self.draft.things[thing].count;
@@ -394,7 +394,7 @@ impl<'a> Plan<'a> {
     }
 
     /// How large a part is beside a thing of a size, and where it stands: seats as many as the people need who sit there.
-    pub(super) fn fitted(&self, thing: usize, part: &Part, of: [f64; 3]) -> ([f64; 3], Where) {
+    pub(super) fn fitted(&self, thing: usize, part: &GroupPart, of: [f64; 3]) -> ([f64; 3], Where) {
         let it = &self.draft.things[thing];
         let round = stand::round(&it.category, &it.look.features);
         let mut own = part.size.unwrap_or_else(|| Self::size(part.noun));
@@ -432,7 +432,7 @@ impl<'a> Plan<'a> {
     /// away from the walls for the sake of one.
     fn wants_rug(&self, thing: usize) -> bool {
         let it = &self.draft.things[thing];
-        let is_rug = |t: &Thing| t.room == Some(self.room) && t.category.ends_with("rug");
+        let is_rug = |t: &DraftThing| t.room == Some(self.room) && t.category.ends_with("rug");
         let bound = stand::group(&it.category) == Group::Table && stand::placed(self.draft, &it.name);
         !bound && it.count == 1 && self.kind.floor.0 != "tile" && !self.draft.things.iter().any(is_rug)
     }
@@ -514,8 +514,8 @@ impl<'a> Plan<'a> {
 }
 
 /// Whether a thing is there because so many people are said to sit at another.
-pub fn for_people(source: &Source) -> bool {
-    matches!(source, Source::Inferred(why) if why.ends_with("people sit there"))
+pub fn for_people(source: &ThingOrigin) -> bool {
+    matches!(source, ThingOrigin::Inferred(why) if why.ends_with("people sit there"))
 }
 
 /// Why a part is there.

@@ -4,14 +4,14 @@
 use super::daylight::{add_windows, keep_windows_free, way_in};
 use super::floor::Floor;
 use super::inventory::{came_along, inventory};
-use super::kinds::{self, Count, Line, Place};
+use super::kinds::{self, Count, Line, PlanPlace};
 use super::openings;
 use super::order::Order;
 use super::plan::{Plan, for_people};
 use super::rows::is_desk;
 use super::{asked, gates, hang, stand, taste, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
-use crate::draft::{Draft, Source, Thing};
+use crate::draft::{Draft, DraftThing, ThingOrigin};
 
 /// So much of the floor a place to eat takes (square metres).
 const EATING: f64 = 8.0;
@@ -68,14 +68,17 @@ pub fn furnish_once(
     if rectangular && !draft.outdoor {
         openings::doors(draft, at);
     }
-    let is_asked = |t: &Thing| matches!(t.source, Source::Stated(_)) || for_people(&t.source) && tables(&t.category);
-    let own = |t: &Thing| t.room == Some(at) && is_asked(t);
+    let is_asked =
+        |t: &DraftThing| matches!(t.source, ThingOrigin::Stated(_)) || for_people(&t.source) && tables(&t.category);
+    let own = |t: &DraftThing| t.room == Some(at) && is_asked(t);
     let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
     // What seats go with comes before them.
     let at_back = |category: &str| {
         let noun = category.replace('_', " ");
         let own = kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun));
-        own.is_some_and(|line| matches!(line.place, Place::Back(_) | Place::Service(_) | Place::Before(_, 180.0)))
+        own.is_some_and(|line| {
+            matches!(line.place, PlanPlace::Back(_) | PlanPlace::Service(_) | PlanPlace::Before(_, 180.0))
+        })
     };
     // So does what has its place at the back or serves guests: a robot stands before its conveyor, and nobody waits behind a
     // desk.
@@ -119,7 +122,7 @@ pub fn furnish_once(
 fn receives(draft: &Draft, at: usize) -> bool {
     let visits = |noun: &str| noun.ends_with("visitor_chair") || noun.ends_with("guest_chair");
     let studies = kinds::of(&draft.rooms[at].kind).is_some_and(|kind| matches!(kind.name, "home office" | "office"));
-    let works = |thing: &Thing| thing.room == Some(at) && is_desk(&thing.category.replace('_', " "));
+    let works = |thing: &DraftThing| thing.room == Some(at) && is_desk(&thing.category.replace('_', " "));
     let desks: usize = draft.things.iter().filter(|thing| works(thing)).map(|thing| thing.count).sum();
     studies && desks < 2 && draft.things.iter().any(|thing| thing.room == Some(at) && visits(&thing.category))
 }
@@ -130,7 +133,7 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
     plan.small.clone_from(&order.small);
     order.boards.iter().for_each(|thing| hang::up(plan, *thing));
     let mut early = order.early(plan);
-    let is_at_wall = |line: &&'static Line| matches!(line.place, Place::Wall | Place::Run);
+    let is_at_wall = |line: &&'static Line| matches!(line.place, PlanPlace::Wall | PlanPlace::Run);
     match first {
         First::Asked => {}
         First::Kind => early.extend(plan.kind.lines.first().filter(is_at_wall)),
@@ -173,7 +176,7 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
 
 /// Whether such a room is not complete without a line of its inventory.
 fn is_essential(plan: &Plan, line: &Line) -> bool {
-    let stands = !matches!(line.place, Place::Hung | Place::Ceiling | Place::Corner);
+    let stands = !matches!(line.place, PlanPlace::Hung | PlanPlace::Ceiling | PlanPlace::Corner);
     let few = match line.count {
         Count::Fixed(n) => n <= 3,
         // A bed and a desk for each of two or three.
@@ -183,8 +186,8 @@ fn is_essential(plan: &Plan, line: &Line) -> bool {
         Count::Area(_) => false,
     };
     // A shop with a shelf less is a shop; who has no seat is missing.
-    let seats = matches!(line.place, Place::Floor) && matches!(line.count, Count::People(_));
-    let few = few || seats || matches!(line.place, Place::Rows(_)) && !matches!(line.count, Count::Area(_));
+    let seats = matches!(line.place, PlanPlace::Floor) && matches!(line.count, Count::People(_));
+    let few = few || seats || matches!(line.place, PlanPlace::Rows(_)) && !matches!(line.count, Count::Area(_));
     stands && few && line.least == 0.0 && !plan.is_furnished()
 }
 

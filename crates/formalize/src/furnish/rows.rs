@@ -1,9 +1,9 @@
 //! Things in rows: desks of a classroom, tables of a restaurant, racks, lights under a ceiling.
 
 use super::build::Root;
-use super::floor::{Floor, Piece, Pose, Shape};
+use super::floor::{Floor, Footprint, Pose, Shape};
 use super::inventory::TEAM;
-use super::kinds::{Line, Place};
+use super::kinds::{Line, PlanPlace};
 use super::plan::{AtWall, Plan, metres};
 use super::spots::gate;
 use super::{groups, place, stand};
@@ -25,7 +25,7 @@ pub fn ceiling(plan: &mut Plan, noun: &str, n: usize, why: &str) {
     // Rows across the shorter side.
     let pendant = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && t.category.contains("pendant"));
     // What hangs over the one table of a dining room is light enough.
-    let one_table = plan.kind.lines.first().is_some_and(|line| line.place == Place::Middle);
+    let one_table = plan.kind.lines.first().is_some_and(|line| line.place == PlanPlace::Middle);
     if pendant && one_table && noun == "ceiling light" && w * d < WIDE {
         return;
     }
@@ -118,10 +118,10 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
             // What stands there already, and doors, leave less.
             let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
             let cell = [cell_w, size[1].max(0.9), cell_d];
-            let piece = Piece { thing: 0, at: around, size: cell, flat, tall: false };
+            let piece = Footprint { thing: 0, at: around, size: cell, flat, tall: false };
             let shape = Shape { pieces: vec![piece], free: Vec::new() };
             let is_free = |at: &Pose| ground.fits(&shape, at);
-            let piece = Piece { size: [cell_w + 2.0 * ROUND, cell[1], cell_d + 2.0 * ROUND], ..piece };
+            let piece = Footprint { size: [cell_w + 2.0 * ROUND, cell[1], cell_d + 2.0 * ROUND], ..piece };
             let wider = Shape { pieces: vec![piece], free: Vec::new() };
             // Tables with seats at both sides, and groups of desks, move aside together for what stands there already.
             if facing || is_table && back > size[2] / 2.0 + SEATED {
@@ -140,7 +140,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let n = places.len();
     let is_crowded = is_table && back > size[2] / 2.0 + SEATED && crowded(&places, [cell_w, cell_d]);
     // So do rows that are too close to the teacher's desk.
-    let teaches = |line: &Line| matches!(line.place, Place::Before(_, 0.0)) && is_desk(line.noun);
+    let teaches = |line: &Line| matches!(line.place, PlanPlace::Before(_, 0.0)) && is_desk(line.noun);
     let is_near = farther < 0.0 && plan.kind.lines.iter().any(teaches);
     plan.lacking += usize::from(matters && (n < wanted || is_crowded || is_near));
     if n == 0 || asked.is_some() && n < wanted {
@@ -220,7 +220,7 @@ fn turned(
     let [left, right, back, front] = reach;
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     // Aisles lead to the gate, before which is room to turn, or to where one pays.
-    let pays = plan.kind.lines.iter().any(|line| matches!(line.place, Place::Service(_)));
+    let pays = plan.kind.lines.iter().any(|line| matches!(line.place, PlanPlace::Service(_)));
     let before = match () {
         () if toward.0 => None,
         () if noun.ends_with("rack") => gate(plan).map(|_| BEFORE_GATE),
@@ -304,7 +304,7 @@ const BEFORE_STAGE: f64 = 1.5;
 /// Whether such rooms have it in their middle.
 pub fn is_central(plan: &Plan, noun: &str) -> bool {
     let like = |line: &&Line| stand::counts_as(line.noun, noun);
-    plan.kind.lines.iter().find(like).is_some_and(|line| line.place == Place::Middle)
+    plan.kind.lines.iter().find(like).is_some_and(|line| line.place == PlanPlace::Middle)
 }
 
 /// The distance from one to the next of so many, if they are spread over what is free.
@@ -348,10 +348,10 @@ fn lines_are_full(places: &[Pose]) -> bool {
 /// is room for a line of tables at least, which leaves `most`.
 fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
     let counter = plan.kind.lines.iter().find_map(|line| match line.place {
-        Place::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
+        PlanPlace::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
         _ => None,
     });
-    let stage = plan.kind.lines.iter().find(|line| line.noun == "stage" && matches!(line.place, Place::Back(_)));
+    let stage = plan.kind.lines.iter().find(|line| line.noun == "stage" && matches!(line.place, PlanPlace::Back(_)));
     let ahead = stage.map_or(2.6_f64.min(0.33 * depth), |line| Plan::size(line.noun)[2] + BEFORE_STAGE);
     counter.map_or(ahead, |gap| gap.min(most.max(0.42 * depth)))
 }

@@ -3,8 +3,8 @@
 
 use super::choose::{self, Choice, Staff};
 use super::daylight::window_walls;
-use super::floor::{Block, Floor, Piece, Pose, Shape};
-use super::kinds::{Line, Place};
+use super::floor::{Block, Floor, Footprint, Pose, Shape};
+use super::kinds::{Line, PlanPlace};
 use super::plan::Plan;
 use super::rows::is_desk;
 use super::seek::Wall;
@@ -30,13 +30,13 @@ pub(super) fn staffed(plan: &Plan) -> Option<Staff> {
     let [_, height, depth] = plan.draft.rooms[plan.room].size;
     plan.kind.lines.iter().find_map(|line| match line.place {
         // Not at a counter that is there only if it is asked for.
-        Place::Before(..) if line.least > plan.counted && near_to(plan, line.noun).is_none() => None,
-        Place::Before(gap, 180.0) => {
+        PlanPlace::Before(..) if line.least > plan.counted && near_to(plan, line.noun).is_none() => None,
+        PlanPlace::Before(gap, 180.0) => {
             let usual = depth / 2.0 - gap - Plan::size(line.noun)[2];
             let at = near_to(plan, line.noun);
             Some(Staff::Beyond(at.map_or(usual, |at| at.z - Plan::size(line.noun)[2] / 2.0)))
         }
-        Place::Service(gap) if Plan::size(line.noun)[0] >= STAND => {
+        PlanPlace::Service(gap) if Plan::size(line.noun)[0] >= STAND => {
             let at = near_to(plan, line.noun)?;
             let [wide, _, deep] = Plan::size(line.noun);
             let behind = Pose { z: -(gap + BEYOND) / 2.0, ..Pose::default() };
@@ -155,7 +155,7 @@ pub(super) fn lanes(
             let frame = |i: usize| Pose { x: i as f64 * (choice.size[0] + lane), ..Pose::default() };
             let mut whole = Shape { pieces: Vec::new(), free: Vec::new() };
             for at in (0..n).map(frame) {
-                whole.pieces.extend(shape.pieces.iter().map(|piece| Piece { at: at.then(&piece.at), ..*piece }));
+                whole.pieces.extend(shape.pieces.iter().map(|piece| Footprint { at: at.then(&piece.at), ..*piece }));
                 whole.free.extend(shape.free.iter().map(|(pose, size)| (at.then(pose), *size)));
             }
             let first = choice.service(floor, &whole, behind)?;
@@ -216,8 +216,8 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
         return vec![beside(-1.0), beside(1.0), ends(-1.0), ends(1.0)];
     }
     let behind = match line.place {
-        Place::Service(gap) => gap - 0.02,
-        Place::Before(gap, 180.0) => gap - 0.5,
+        PlanPlace::Service(gap) => gap - 0.02,
+        PlanPlace::Before(gap, 180.0) => gap - 0.5,
         _ => return Vec::new(),
     };
     let pass = 0.7;
@@ -258,13 +258,13 @@ pub(super) fn near(line: &Line, floor: &Floor, shape: &Shape, nominal: Pose) -> 
     let far = if car { 0.5 } else { 2.0 };
     // At a wall at the side "along" is to the back and to the front.
     let sideways = nominal.yaw == 90.0 || nominal.yaw == 270.0;
-    let sideways = sideways && (car || matches!(line.place, Place::Back(_) | Place::Front(_)));
+    let sideways = sideways && (car || matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)));
     let off = |i: i32, k: i32| match (0.15 * f64::from(i), 0.15 * f64::from(k)) {
         (along, off) if sideways => Pose { x: nominal.x + off, z: nominal.z + along, ..nominal },
         (along, off) => Pose { x: nominal.x + along, z: nominal.z - off, ..nominal },
     };
     let further = match line.place {
-        Place::Before(..) => 0..=6,
+        PlanPlace::Before(..) => 0..=6,
         // What came in by a wide door stands in line with it, as deep in the room as it must.
         _ if car => -8..=8,
         _ => 0..=0,
@@ -292,14 +292,16 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
     let middle_yaw = if (width >= depth) == (size[0] >= size[2]) { 0.0 } else { 90.0 };
     match &line.place {
         // Who sits at the long sides of a table looks at one of its ends.
-        Place::Back(0.0) if width > depth && has_table(plan) && stand::group(line.noun) == Group::Screen => {
+        PlanPlace::Back(0.0) if width > depth && has_table(plan) && stand::group(line.noun) == Group::Screen => {
             let windows = window_walls(plan);
             let wall = if windows.contains(&Wall::Right) { Wall::Left } else { Wall::Right };
             Pose { y, ..wall.place([width, 0.0, depth], 0.0, size[2] / 2.0) }
         }
-        Place::Back(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 },
-        Place::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
-        Place::Before(gap, yaw) => {
+        PlanPlace::Back(share) => {
+            Pose { x: share * (width - size[0]) / 2.0, y, z: (depth - size[2]) / 2.0, yaw: 180.0 }
+        }
+        PlanPlace::Front(share) => Pose { x: share * (width - size[0]) / 2.0, y, z: (size[2] - depth) / 2.0, yaw: 0.0 },
+        PlanPlace::Before(gap, yaw) => {
             let x = line.gap * (width - size[0]) / 2.0;
             Pose { x, y: 0.0, z: (depth - size[2]) / 2.0 - gap, yaw: *yaw }
         }
@@ -313,7 +315,7 @@ pub(super) fn nominal(plan: &Plan, line: &Line, size: [f64; 3], y: f64) -> Pose 
 
 /// Whether such a room has a table in its middle.
 pub(super) fn has_table(plan: &Plan) -> bool {
-    plan.kind.lines.iter().any(|line| line.place == Place::Middle && stand::group(line.noun) == Group::Table)
+    plan.kind.lines.iter().any(|line| line.place == PlanPlace::Middle && stand::group(line.noun) == Group::Table)
 }
 
 /// The place of the first thing of this name in the room; of several, their middle.

@@ -1,7 +1,7 @@
 //! Many bookshelves stand as in libraries: in double rows, back to back, with aisles between them.
 
 use super::build::Root;
-use super::floor::{Floor, Piece, Pose, Shape};
+use super::floor::{Floor, Footprint, Pose, Shape};
 use super::plan::{AtWall, Plan};
 use super::{place, seek, stand};
 use crate::brief::Group;
@@ -33,7 +33,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) -> bool {
     let it = plan.draft.things[thing].clone();
     let (Some(size), Some(floor)) = (it.size, plan.ground.clone()) else { return false };
     let found = arrangements(it.count, size).into_iter().find_map(|(block, local)| {
-        let piece = Piece { thing, at: Pose::default(), size: block, flat: false, tall: true };
+        let piece = Footprint { thing, at: Pose::default(), size: block, flat: false, tall: true };
         let around = [block[0] + 2.0 * AROUND, block[1], block[2] + 2.0 * AROUND];
         let shape = Shape { pieces: vec![piece], free: vec![(Pose::default(), around)] };
         let places = seek::on_floor(floor.size, around, &[0.0, 90.0]).into_iter();

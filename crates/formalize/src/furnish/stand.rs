@@ -2,7 +2,7 @@
 //! takes, and which words may be counted as one thing.
 
 use crate::brief::Group;
-use crate::draft::{Draft, Source, Thing};
+use crate::draft::{Draft, DraftThing, ThingOrigin};
 use crate::names::words;
 use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
@@ -173,7 +173,7 @@ pub fn counts_as(noun: &str, asked: &str) -> bool {
 pub const AT_WINDOW: &str = "window ";
 
 /// Whether a thing of a draft stands on the floor: by its group, unless it is said to be on something, or to hang.
-pub fn on_floor(draft: &Draft, thing: &Thing) -> bool {
+pub fn on_floor(draft: &Draft, thing: &DraftThing) -> bool {
     let group = group(&thing.category);
     let carried = ["restsOn(", "on(", "wallMounted(", "ceilingMounted(", "allowFloat("];
     let raised = draft.statements.iter().any(|s| {
@@ -234,7 +234,7 @@ pub fn played_at(category: &str) -> Option<f64> {
 pub fn loaded(draft: &Draft, thing: usize) -> bool {
     let name = &draft.things[thing].name;
     draft.statements.iter().any(|s| {
-        matches!(s.source, Source::Stated(_))
+        matches!(s.source, ThingOrigin::Stated(_))
             && ["restsOn(", "on(", "inside("].iter().any(|c| s.text.contains(c))
             && words(&s.text).iter().any(|w| w == name)
     })
@@ -242,7 +242,7 @@ pub fn loaded(draft: &Draft, thing: usize) -> bool {
 
 /// Whether the request says where or how a thing stands.
 pub fn placed(draft: &Draft, name: &str) -> bool {
-    draft.statements.iter().any(|s| matches!(s.source, Source::Stated(_)) && words(&s.text).contains(&name))
+    draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && words(&s.text).contains(&name))
 }
 
 /// The same, but for what is said of it in relation to one other thing.
@@ -252,7 +252,7 @@ pub fn placed_without(draft: &Draft, name: &str, other: Option<&str>) -> bool {
         let related = other.is_some_and(|other| named.contains(&other));
         // Two on both sides of a table face each other.
         let related = related || s.text.contains(&format!("facing({name}[2 * i], {name}["));
-        matches!(s.source, Source::Stated(_)) && named.contains(&name) && !related && !s.text.contains("onFloor(")
+        matches!(s.source, ThingOrigin::Stated(_)) && named.contains(&name) && !related && !s.text.contains("onFloor(")
     })
 }
 

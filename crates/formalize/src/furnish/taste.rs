@@ -1,6 +1,6 @@
 //! Materials and colours of what is added.
 
-use super::kinds::Kind;
+use super::kinds::FurnishingKind;
 use crate::draft::{Look, Surface};
 
 /// What is made of cloth, or stands out by its colour.
@@ -100,7 +100,7 @@ const STEEL: [&str; 4] = ["tool cabinet", "control cabinet", "electrical cabinet
 const SHOWN: [&str; 5] = ["abstract", "botanical", "landscape", "geometric", "seascape"];
 
 /// The look of something of a kind of room; `turn` goes through the colours.
-pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
+pub fn look(kind: &FurnishingKind, noun: &str, turn: usize) -> Look {
     let last = noun.rsplit(' ').next().unwrap_or(noun);
     let mut look = Look::default();
     if noun == "picture" {
@@ -125,14 +125,14 @@ pub fn look(kind: &Kind, noun: &str, turn: usize) -> Look {
 }
 
 /// What of which no look is said is made of the wood of the room.
-pub fn dressed(kind: &Kind, category: &str, look: &mut Look) {
+pub fn dressed(kind: &FurnishingKind, category: &str, look: &mut Look) {
     if look.color.is_none() && look.material.is_none() {
         look.material = self::look(kind, &category.replace('_', " "), 0).material;
     }
 }
 
 /// The floor and the walls of a room of a kind, as far as nothing is said of them.
-pub fn surfaces(kind: &Kind, floor: &mut Surface, walls: &mut Surface) {
+pub fn surfaces(kind: &FurnishingKind, floor: &mut Surface, walls: &mut Surface) {
     if floor.material.is_none() && floor.color.is_none() {
         floor.material = Some(kind.floor.0.to_owned());
         floor.color = Some(kind.floor.1.to_owned()).filter(|c| !c.is_empty());

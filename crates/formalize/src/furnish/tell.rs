@@ -1,7 +1,7 @@
 //! What the program says of things of the inventory that have found their places.
 
 use super::floor::Pose;
-use super::kinds::{Line, Place};
+use super::kinds::{Line, PlanPlace};
 use super::plan::{Plan, metres};
 use super::{choose, groups, place, stand};
 
@@ -41,12 +41,12 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
     let near = metres(0.01 + plan.ground.as_ref().map_or(0.0, |ground| ground.edge));
     let back = |x: &str| format!("onFloor({x}, {room}) and backToWall({x}, {room}, {near})");
     let text = match &line.place {
-        _ if hung && matches!(line.place, Place::Hung | Place::Wall) => {
+        _ if hung && matches!(line.place, PlanPlace::Hung | PlanPlace::Wall) => {
             every(&|x| format!("wallMounted({x}, {room}) and {x}.bottom = {}", metres(y)))
         }
-        Place::Wall | Place::Hung => every(&|x| format!("{}{}", back(x), used(x))),
-        Place::Run if n == 1 => every(&|x| format!("{}{}", back(x), used(x))),
-        Place::Run => {
+        PlanPlace::Wall | PlanPlace::Hung => every(&|x| format!("{}{}", back(x), used(x))),
+        PlanPlace::Run if n == 1 => every(&|x| format!("{}{}", back(x), used(x))),
+        PlanPlace::Run => {
             let step = metres(size[0] + gap);
             let first = format!("{name}[0]");
             plan.say(format!("assert {}{};", back(&first), used(&first)), why);
@@ -54,28 +54,28 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
                 "assert forall i in 1..{n}: {name}[i].pos = {name}[0].pos + {name}[0].right * (i * {step}) and {name}[i].rot.y = {name}[0].rot.y;"
             )
         }
-        Place::Corner if line.noun == "plant" => every(&|x| format!("onFloor({x}, {room})")),
-        Place::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
-        Place::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
-        Place::Floor if n == 1 && rectangular && groups::is_visited(line.noun, plan.kind.dress) => {
+        PlanPlace::Corner if line.noun == "plant" => every(&|x| format!("onFloor({x}, {room})")),
+        PlanPlace::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
+        PlanPlace::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
+        PlanPlace::Floor if n == 1 && rectangular && groups::is_visited(line.noun, plan.kind.dress) => {
             format!("assert {};", fixed(&at))
         }
-        Place::Middle | Place::Floor => {
+        PlanPlace::Middle | PlanPlace::Floor => {
             let yaw = metres(at.yaw);
             every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = {yaw}"))
         }
-        Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) if n == 1 => {
+        PlanPlace::Back(_) | PlanPlace::Front(_) | PlanPlace::Before(..) | PlanPlace::Service(_) if n == 1 => {
             format!("assert {};", fixed(&at))
         }
-        Place::Before(..) | Place::Service(_) if poses.len() == n => {
+        PlanPlace::Before(..) | PlanPlace::Service(_) if poses.len() == n => {
             let each = poses
                 .iter()
                 .enumerate()
                 .map(|(i, at)| place::absolute(&format!("{name}[{i}]"), &room, [at.x, at.y, at.z], at.yaw));
             format!("assert {};", each.collect::<Vec<_>>().join(" and "))
         }
-        Place::Back(_) | Place::Front(_) | Place::Before(..) | Place::Service(_) => every(&|x| back(x)),
-        Place::Opposite(_) => {
+        PlanPlace::Back(_) | PlanPlace::Front(_) | PlanPlace::Before(..) | PlanPlace::Service(_) => every(&|x| back(x)),
+        PlanPlace::Opposite(_) => {
             let straight = |seen: &Pose| poses.first().is_none_or(|at| (seen.yaw - at.yaw).rem_euclid(360.0) == 180.0);
             if let Some((to, _)) = opposite.as_ref().filter(|(_, seen)| straight(seen)) {
                 plan.say(
@@ -87,10 +87,10 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
             }
             every(&|x| back(x))
         }
-        Place::Ceiling | Place::Edge | Place::Rows(_) => return,
+        PlanPlace::Ceiling | PlanPlace::Edge | PlanPlace::Rows(_) => return,
     };
     plan.say(text, why);
-    if matches!(line.place, Place::Back(_) | Place::Front(_)) && hung {
+    if matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)) && hung {
         plan.say(every(&|x| format!("wallMounted({x}, {room})")), why);
     }
 }

@@ -1,14 +1,14 @@
 //! Small things that are asked for and of which nobody says where they stand: a coffee machine stands on a counter, a
 //! laptop on a desk, and not on the floor. What carries what is in `data/carriers.txt`.
 
-use super::groups::{self, Part, Where};
+use super::groups::{self, GroupPart, Where};
 use super::inventory::single;
-use super::kinds::{Count, Line, Place};
+use super::kinds::{Count, Line, PlanPlace};
 use super::plan::Plan;
 use super::slots::{Level, Slot, Taken};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::{Source, Thing};
+use crate::draft::{DraftThing, ThingOrigin};
 use crate::names::words;
 use scenelang_lang::nouns::{self, Stands};
 use std::sync::OnceLock;
@@ -72,7 +72,7 @@ pub fn carry_on_new(plan: &mut Plan, at: usize) -> bool {
     let line = Line {
         count: Count::Fixed(1),
         noun: carrier,
-        place: Place::Wall,
+        place: PlanPlace::Wall,
         least: 0.0,
         gap: 0.0,
         by: Default::default(),
@@ -89,7 +89,7 @@ pub fn settle(plan: &mut Plan) {
     let is_default = |text: &str| text.contains("onFloor(") || text.contains("againstWall(");
     plan.draft
         .statements
-        .retain(|s| matches!(s.source, Source::Stated(_)) || !is_default(&s.text) || !is_about(&s.text));
+        .retain(|s| matches!(s.source, ThingOrigin::Stated(_)) || !is_default(&s.text) || !is_about(&s.text));
 }
 
 /// Puts a thing on another. Whether there was a place.
@@ -117,7 +117,7 @@ fn a(noun: &str) -> String {
 }
 
 /// Whether such things stand or lie on others.
-fn is_small(thing: &Thing) -> bool {
+fn is_small(thing: &DraftThing) -> bool {
     let known = nouns::ending(&thing.category).map(|noun| noun.stands);
     match known {
         Some(stands) => matches!(stands, Stands::Top | Stands::Soft),
@@ -127,10 +127,10 @@ fn is_small(thing: &Thing) -> bool {
 
 /// Whether nothing is said of a thing but the room that it is in. What was inferred for the lack of anything better does
 /// not count.
-fn is_loose(plan: &Plan, thing: &Thing) -> bool {
+fn is_loose(plan: &Plan, thing: &DraftThing) -> bool {
     let about = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&thing.name.as_str()));
     about.into_iter().all(|s| {
-        let inferred = !matches!(s.source, Source::Stated(_));
+        let inferred = !matches!(s.source, ThingOrigin::Stated(_));
         is_in_room(&s.text) || inferred && (s.text.contains("onFloor(") || s.text.contains("againstWall("))
     })
 }
@@ -156,14 +156,14 @@ fn rank(plan: &Plan, of: usize, noun: &str) -> Option<usize> {
 }
 
 /// The part of what goes with a carrier that such a thing is.
-fn part_of(carrier: &str, dress: &str, noun: &str) -> Option<&'static Part> {
+fn part_of(carrier: &str, dress: &str, noun: &str) -> Option<&'static GroupPart> {
     groups::of(carrier, dress).iter().find(|part| {
         matches!(part.at, Where::Top(..)) && (part.noun == noun || noun.ends_with(&format!(" {}", part.noun)))
     })
 }
 
 /// Whether a thing stands on the floor or on nothing that is known, and not on another or on a wall.
-fn stands(plan: &Plan, thing: &Thing) -> bool {
+fn stands(plan: &Plan, thing: &DraftThing) -> bool {
     stand::on_floor(plan.draft, thing) && !is_small(thing)
 }
 

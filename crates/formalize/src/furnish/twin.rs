@@ -2,13 +2,13 @@
 //! what is said to stand there, else a nightstand.
 
 use super::build::Root;
-use super::floor::{Floor, Piece, Pose, Shape};
+use super::floor::{Floor, Footprint, Pose, Shape};
 use super::plan::{AtWall, Plan};
 use super::slots::{Level, Slot};
 use super::stand::{self, counts_as};
 use super::{place, seek};
 use crate::brief::Group;
-use crate::draft::{Demand, Source};
+use crate::draft::{Demand, ThingOrigin};
 use crate::names::words;
 
 /// Between two beds at least, and beside what stands there.
@@ -28,11 +28,11 @@ type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
     let noun = it.category.replace('_', " ");
-    let said = plan.draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
+    let said = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
     let mut about = said.filter(|s| words(&s.text).contains(&it.name.as_str()));
     let only = about
         .all(|s| among(plan, &s.text, &it.name).is_some() || s.text.contains("inside(") || s.text.contains("onFloor("));
-    let asked = |t: &crate::draft::Thing| {
+    let asked = |t: &crate::draft::DraftThing| {
         t.room == Some(plan.room) && t.count > 1 && counts_as(USUAL, &t.category.replace('_', " "))
     };
     it.count == 2
@@ -75,7 +75,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     let across = Slot { x: w + apart, z: 0.0, level: Level::Floor, yaw: 0.0 };
     let middle = Slot { x: (w + apart) / 2.0, z: (own[2] - d) / 2.0, level: Level::Floor, yaw: 0.0 };
     let frame = |slot: &Slot| Pose { x: slot.x, z: slot.z, ..Pose::default() };
-    let shared = Piece { thing: usize::MAX, at: frame(&middle), size: own, flat: false, tall: false };
+    let shared = Footprint { thing: usize::MAX, at: frame(&middle), size: own, flat: false, tall: false };
     let with_both = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         let mut whole = shape.clone();
         whole.pieces.extend(has.then_some(shared));
@@ -104,7 +104,7 @@ fn share(plan: &mut Plan, asked: Option<usize>, pair: &str, middle: &Slot) {
     let among = |text: &str| text.contains("between(") && words(text).contains(&name.as_str());
     let wall = format!("againstWall({name}, ");
     for statement in &mut plan.draft.statements {
-        if matches!(statement.source, Source::Stated(_)) && among(&statement.text) {
+        if matches!(statement.source, ThingOrigin::Stated(_)) && among(&statement.text) {
             statement.text = format!("beside({name}, {pair}[0]) and beside({name}, {pair}[1])");
         }
     }
@@ -113,7 +113,7 @@ fn share(plan: &mut Plan, asked: Option<usize>, pair: &str, middle: &Slot) {
         let pose = from.then(&Pose { x: middle.x, z: middle.z, ..Pose::default() });
         plan.note_place(&name, &pose);
         let size = plan.draft.things[at].size.unwrap_or_default();
-        let piece = Piece { thing: at, at: Pose::default(), size, flat: false, tall: false };
+        let piece = Footprint { thing: at, at: Pose::default(), size, flat: false, tall: false };
         let shape = Shape { pieces: vec![piece], free: Vec::new() };
         plan.ground.iter_mut().for_each(|ground| ground.take(&shape, &pose));
     }

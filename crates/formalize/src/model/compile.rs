@@ -1,6 +1,6 @@
 //! Statements held against the compiler: what is wrong with them, in the words and with the places that people see.
 
-use crate::draft::{Draft, Note, Source, Statement};
+use crate::draft::{Draft, Note, Statement, ThingOrigin};
 use crate::names::words;
 use crate::write::write;
 use scenelang_base::Diagnostic;
@@ -23,14 +23,14 @@ const SHOWN: usize = 12_000;
 const LOOKS: usize = 24;
 
 /// A program with statements behind it, each on its own line.
-pub(super) struct Trial {
+pub(super) struct TrialProgram {
     compiled: Compiled,
     /// Lines before the first statement.
     base: u32,
     count: usize,
 }
 
-impl Trial {
+impl TrialProgram {
     /// The program of a draft without its statements, and these.
     pub fn new(draft: &Draft, statements: impl IntoIterator<Item = impl AsRef<str>>) -> Self {
         let bare = Draft { statements: Vec::new(), notes: Vec::new(), ..draft.clone() };
@@ -127,7 +127,7 @@ pub(super) fn one_line(statement: &str) -> String {
 /// Makes sure of what is promised: the program of the draft compiles, and nothing in it is proved to contradict.
 pub(super) fn settle(draft: &mut Draft, told: &mut Vec<String>) {
     for _ in 0..LOOKS {
-        let trial = Trial::new(draft, draft.statements.iter().map(Statement::line));
+        let trial = TrialProgram::new(draft, draft.statements.iter().map(Statement::line));
         let broken = trial.broken();
         if !broken.is_empty() {
             for at in broken.into_iter().rev() {
@@ -165,14 +165,14 @@ pub(super) fn compiles(draft: &Draft) -> bool {
 
 /// Of contradictory statements the one to give up: one that nobody stated, else the last.
 pub(super) fn weakest(all: &[Statement], among: &[usize]) -> Option<usize> {
-    let inferred = among.iter().rev().find(|at| matches!(all[**at].source, Source::Inferred(_)));
+    let inferred = among.iter().rev().find(|at| matches!(all[**at].source, ThingOrigin::Inferred(_)));
     inferred.or(among.last()).copied()
 }
 
 /// Takes a statement out. What the request says of it is kept as a note.
 pub(super) fn remove(draft: &mut Draft, at: usize, reason: &str) {
     let statement = draft.statements.remove(at);
-    if let Source::Stated(at) = &statement.source {
+    if let ThingOrigin::Stated(at) = &statement.source {
         draft.notes.push(Note { at: at.clone(), reason: format!("{} — {reason}", statement.line()) });
     }
 }

@@ -4,23 +4,23 @@
 
 use super::ask::{Asker, COMPLETE, Trouble};
 use super::constrain::statements;
-use super::divide::Part;
+use super::divide::SentenceNumbers;
 use super::sentences::Sentences;
-use crate::draft::{Draft, Source, Statement};
+use crate::draft::{Draft, Statement, ThingOrigin};
 
 /// Statements that complete those of a region. None of them is the request's.
 pub(super) fn complete(
     asker: &mut Asker<'_>,
     sentences: &Sentences,
-    part: &Part,
+    part: &SentenceNumbers,
     room: usize,
     draft: &mut Draft,
     given: &[Statement],
 ) -> Result<Vec<Statement>, Trouble> {
     let mut added = statements(asker, COMPLETE, sentences, part, room, draft, given)?;
     for statement in &mut added {
-        if let Source::Stated(_) = statement.source {
-            statement.source = Source::Inferred("the world needs it".into());
+        if let ThingOrigin::Stated(_) = statement.source {
+            statement.source = ThingOrigin::Inferred("the world needs it".into());
         }
     }
     Ok(added)

@@ -3,7 +3,7 @@
 use super::ask::{Asker, CONNECT, Trouble, length, list, maybe, object, words};
 use super::sentences::Sentences;
 use crate::draft::{Draft, Look, Note, Opening, OpeningKind};
-use crate::names::{Names, identifier};
+use crate::names::{GivenNames, identifier};
 use serde::Deserialize;
 use serde_json::json;
 
@@ -12,7 +12,7 @@ const MOST: usize = 120;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct ConnectAnswer {
     connections: Vec<Connection>,
 }
 
@@ -42,7 +42,7 @@ pub(super) fn connect(
     asker: &mut Asker<'_>,
     sentences: &Sentences,
     draft: &mut Draft,
-    names: &mut Names,
+    names: &mut GivenNames,
 ) -> Result<(), Trouble> {
     if draft.outdoor {
         return Ok(());
@@ -60,7 +60,7 @@ pub(super) fn connect(
     }));
     let regions: Vec<_> = draft.rooms.iter().map(|room| json!({ "name": room.name, "kind": room.kind })).collect();
     let known = json!({ "regions": regions, "sentences": sentences.told(None) });
-    let answer: Answer = asker.ask(CONNECT, object(&json!({ "connections": list(&connection) })), &known)?;
+    let answer: ConnectAnswer = asker.ask(CONNECT, object(&json!({ "connections": list(&connection) })), &known)?;
     for connection in answer.connections.into_iter().take(MOST) {
         let source = sentences.source(connection.sentence, connection.reason.as_deref());
         let room = |name: &String| draft.rooms.iter().position(|room| room.name == *name);
@@ -68,7 +68,7 @@ pub(super) fn connect(
         rooms.dedup();
         rooms.truncate(2);
         if rooms.is_empty() {
-            if let crate::draft::Source::Stated(at) = source {
+            if let crate::draft::ThingOrigin::Stated(at) = source {
                 draft.notes.push(Note { at, reason: "an opening between regions that do not exist".into() });
             }
             continue;

@@ -2,11 +2,11 @@
 //! with what is wrong with it, as people see it, until all of it compiles.
 
 use super::ask::{Asker, CONSTRAIN, Prompt, Trouble, list, maybe, object};
-use super::compile::{Trial, malformed, one_line};
-use super::divide::Part;
+use super::compile::{TrialProgram, malformed, one_line};
+use super::divide::SentenceNumbers;
 use super::sentences::Sentences;
 use super::{complete, prune};
-use crate::draft::{Draft, Note, Source, Statement};
+use crate::draft::{Draft, Note, Statement, ThingOrigin};
 use crate::write::write;
 use scenelang_llm::{Message, Role, plain};
 use serde::Deserialize;
@@ -17,7 +17,7 @@ const MOST: usize = 300;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct ConstrainAnswer {
     constraints: Vec<Constraint>,
 }
 
@@ -33,7 +33,7 @@ struct Constraint {
 pub(super) fn constrain(
     asker: &mut Asker<'_>,
     sentences: &Sentences,
-    part: &Part,
+    part: &SentenceNumbers,
     room: usize,
     draft: &mut Draft,
 ) -> Result<(), Trouble> {
@@ -55,7 +55,7 @@ pub(super) fn statements(
     asker: &mut Asker<'_>,
     prompt: Prompt,
     sentences: &Sentences,
-    part: &Part,
+    part: &SentenceNumbers,
     room: usize,
     draft: &mut Draft,
     given: &[Statement],
@@ -70,7 +70,7 @@ pub(super) fn statements(
     let mut said = vec![first];
     let mut rounds = 0;
     loop {
-        let mut answer: Answer = match asker.converse(prompt, schema(), said.clone()) {
+        let mut answer: ConstrainAnswer = match asker.converse(prompt, schema(), said.clone()) {
             Err(Trouble::Answer(error)) if rounds > 0 => {
                 // Of the statements that were nearly right nothing is known any more.
                 return Err(Trouble::Answer(error));
@@ -125,7 +125,7 @@ fn judged(draft: &Draft, given: &[Statement], constraints: &[Constraint]) -> (Ve
         }
     }
     let texts = || formed.iter().map(|at| constraints[*at].statement.clone());
-    let trial = Trial::new(draft, given.iter().map(Statement::line).chain(texts()));
+    let trial = TrialProgram::new(draft, given.iter().map(Statement::line).chain(texts()));
     let broken: Vec<usize> = trial.broken().into_iter().filter_map(|at| at.checked_sub(given.len())).collect();
     if !broken.is_empty() {
         report.push_str(&trial.told());
@@ -150,7 +150,7 @@ fn kept(
             continue;
         };
         asker.diagnostics.push(format!("a statement is left out: `{}`: {why}", plain(statement, 120)));
-        if let Source::Stated(at) = source {
+        if let ThingOrigin::Stated(at) = source {
             draft.notes.push(Note { at, reason: format!("no statement compiled for this: {}", plain(statement, 120)) });
         }
     }

@@ -2,8 +2,8 @@
 
 use super::ask::{Asker, DIVIDE, Trouble, list, object};
 use super::sentences::Sentences;
-use crate::draft::{Draft, Room, Source, Surface};
-use crate::names::{Names, identifier};
+use crate::draft::{Draft, DraftRoom, Surface, ThingOrigin};
+use crate::names::{GivenNames, identifier};
 use scenelang_llm::plain;
 use serde::Deserialize;
 use serde_json::json;
@@ -16,7 +16,7 @@ const USUAL: [f64; 3] = [5.0, 2.7, 4.0];
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct DivideAnswer {
     regions: Vec<Region>,
 }
 
@@ -29,15 +29,15 @@ struct Region {
 }
 
 /// The numbers of the sentences of a region.
-pub(super) type Part = Vec<usize>;
+pub(super) type SentenceNumbers = Vec<usize>;
 
 /// Adds the regions to the draft; which sentences belong to each. A sentence that belongs to none belongs to all.
 pub(super) fn divide(
     asker: &mut Asker<'_>,
     sentences: &Sentences,
     draft: &mut Draft,
-    names: &mut Names,
-) -> Result<Vec<Part>, Trouble> {
+    names: &mut GivenNames,
+) -> Result<Vec<SentenceNumbers>, Trouble> {
     let region = object(&json!({
         "name": { "type": "string" },
         "kind": { "type": "string" },
@@ -45,7 +45,7 @@ pub(super) fn divide(
     }));
     let known = json!({ "outdoor": draft.outdoor, "sentences": sentences.told(None) });
     let schema = object(&json!({ "regions": list(&region) }));
-    let mut answer: Answer = asker.ask(DIVIDE, schema, &known)?;
+    let mut answer: DivideAnswer = asker.ask(DIVIDE, schema, &known)?;
     if answer.regions.is_empty() {
         answer.regions.push(Region { name: "room".into(), kind: "room".into(), sentences: Vec::new() });
     }
@@ -59,11 +59,12 @@ pub(super) fn divide(
     for region in &answer.regions {
         let name = names.take(&identifier(&region.name, "room"));
         let numbers = region.sentences.iter().filter_map(|number| usize::try_from(*number).ok());
-        let mut part: Part = numbers.filter(|number| (1..=sentences.len()).contains(number)).collect();
+        let mut part: SentenceNumbers = numbers.filter(|number| (1..=sentences.len()).contains(number)).collect();
         part.sort_unstable();
         part.dedup();
-        let first = region.sentences.iter().find(|n| matches!(sentences.source(Some(**n), None), Source::Stated(_)));
-        draft.rooms.push(Room {
+        let first =
+            region.sentences.iter().find(|n| matches!(sentences.source(Some(**n), None), ThingOrigin::Stated(_)));
+        draft.rooms.push(DraftRoom {
             name,
             kind: plain(&region.kind, 60),
             at: [0.0; 2],

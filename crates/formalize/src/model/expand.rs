@@ -30,7 +30,7 @@ const EMPTY: &[&str] = &[
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct ExpandAnswer {
     sentences: Vec<Sentence>,
 }
 
@@ -48,7 +48,7 @@ pub(super) fn expand(asker: &mut Asker<'_>, request: &str) -> Result<Sentences, 
     let schema = object(&json!({ "sentences": list(&sentence) }));
     let mut said = vec![Message::new(Role::User, json!({ "request": request }).to_string())];
     for _ in 0..=asker.asking.expansions {
-        let answer: Answer = asker.converse(EXPAND, schema.clone(), said.clone())?;
+        let answer: ExpandAnswer = asker.converse(EXPAND, schema.clone(), said.clone())?;
         let stated: Vec<&str> =
             answer.sentences.iter().filter(|s| s.reason.is_none()).map(|s| s.text.as_str()).collect();
         let lost = lost(request, &stated.join(" \n"));
@@ -70,7 +70,7 @@ pub(super) fn expand(asker: &mut Asker<'_>, request: &str) -> Result<Sentences, 
 }
 
 /// Q′ with where each sentence comes from: a stated one from the sentence of the request that it shares most words with.
-fn sentences(request: &str, answer: &Answer) -> Sentences {
+fn sentences(request: &str, answer: &ExpandAnswer) -> Sentences {
     let own: Vec<_> = sentence_ranges(request).into_iter().map(|at| (counted(&request[at.clone()]), at)).collect();
     let mut out = Sentences::default();
     let mut added = 0;

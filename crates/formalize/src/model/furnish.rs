@@ -1,10 +1,10 @@
 //! The entities of a region: the surfaces of floor and walls, and the objects, with their properties.
 
 use super::ask::{Asker, FURNISH, Trouble, length, list, maybe, object, words};
-use super::divide::Part;
+use super::divide::SentenceNumbers;
 use super::sentences::Sentences;
-use crate::draft::{Draft, Look, Surface, Thing};
-use crate::names::{Names, identifier};
+use crate::draft::{Draft, DraftThing, Look, Surface};
+use crate::names::{GivenNames, identifier};
 use scenelang_llm::plain;
 use serde::Deserialize;
 use serde_json::json;
@@ -19,7 +19,7 @@ const LENGTHS: [f64; 2] = [0.005, 60.0];
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct FurnishAnswer {
     floor: Texture,
     walls: Texture,
     objects: Vec<Object>,
@@ -58,10 +58,10 @@ struct Dimensions {
 pub(super) fn furnish(
     asker: &mut Asker<'_>,
     sentences: &Sentences,
-    part: &Part,
+    part: &SentenceNumbers,
     room: usize,
     draft: &mut Draft,
-    names: &mut Names,
+    names: &mut GivenNames,
 ) -> Result<(), Trouble> {
     let number = || json!({ "type": "number" });
     let texture = object(&json!({ "color": maybe("string"), "material": maybe("string") }));
@@ -89,7 +89,7 @@ pub(super) fn furnish(
         "sentences": sentences.told(Some(part)),
     });
     let schema = object(&json!({ "floor": texture, "walls": texture, "objects": list(&entity) }));
-    let answer: Answer = asker.ask(FURNISH, schema, &known)?;
+    let answer: FurnishAnswer = asker.ask(FURNISH, schema, &known)?;
     let surface = |texture: &Texture| Surface {
         color: words(texture.color.as_deref()),
         material: words(texture.material.as_deref()),
@@ -119,7 +119,7 @@ pub(super) fn furnish(
         let size = size.map(|size| size.map(|metres| length(metres, LENGTHS, 0.0)));
         let size = size.filter(|size| !size.contains(&0.0));
         let category = identifier(&object.category, "thing");
-        draft.things.push(Thing {
+        draft.things.push(DraftThing {
             name: names.take(&identifier(&object.name, &category)),
             category: underscored(&object.category),
             count,

@@ -29,8 +29,8 @@ mod prune;
 mod scene;
 mod sentences;
 
-use crate::draft::{Draft, Note, Source};
-use crate::names::Names;
+use crate::draft::{Draft, Note, ThingOrigin};
+use crate::names::GivenNames;
 use crate::text::sentence_ranges;
 use ask::{Asker, Trouble};
 pub use ask::{PROMPTS, Prompt, Usage};
@@ -78,7 +78,7 @@ impl Default for Asking {
 
 /// What came of asking.
 #[derive(Debug)]
-pub struct Outcome {
+pub struct ModelOutcome {
     /// What was understood; `Err`: why there is nothing to go on with.
     pub draft: Result<Draft, Error>,
     /// What went wrong on the way, a sentence each.
@@ -88,7 +88,7 @@ pub struct Outcome {
 }
 
 /// Asks a model what a request says.
-pub fn draft(request: &str, asking: &Asking, model: &mut dyn Model) -> Outcome {
+pub fn draft(request: &str, asking: &Asking, model: &mut dyn Model) -> ModelOutcome {
     let mut asker = Asker::new(model, *asking);
     let draft = if request.len() > LONGEST {
         Err(Error::Setup(format!("a model is sent at most {LONGEST} bytes, and the request has {}", request.len())))
@@ -96,7 +96,7 @@ pub fn draft(request: &str, asking: &Asking, model: &mut dyn Model) -> Outcome {
         steps(request, &mut asker)
     };
     let (diagnostics, usage) = asker.into_parts();
-    Outcome { draft, diagnostics, usage }
+    ModelOutcome { draft, diagnostics, usage }
 }
 
 /// Whether a text is an answer to a prompt: for the examples in the prompts.
@@ -108,14 +108,14 @@ pub fn readable(prompt: Prompt, answer: &str) -> Result<(), String> {
         serde_json::from_str::<T>(answer).map(drop).map_err(|e| e.to_string())
     }
     match prompt.step {
-        "scene" => read::<scene::Answer>(answer),
-        "expand" => read::<expand::Answer>(answer),
-        "divide" => read::<divide::Answer>(answer),
-        "connect" => read::<connect::Answer>(answer),
-        "place" => read::<place::Answer>(answer),
-        "furnish" => read::<furnish::Answer>(answer),
-        "constrain" | "complete" => read::<constrain::Answer>(answer),
-        "redundant" | "contradictory" => read::<prune::Answer>(answer),
+        "scene" => read::<scene::SceneAnswer>(answer),
+        "expand" => read::<expand::ExpandAnswer>(answer),
+        "divide" => read::<divide::DivideAnswer>(answer),
+        "connect" => read::<connect::ConnectAnswer>(answer),
+        "place" => read::<place::PlaceAnswer>(answer),
+        "furnish" => read::<furnish::FurnishAnswer>(answer),
+        "constrain" | "complete" => read::<constrain::ConstrainAnswer>(answer),
+        "redundant" | "contradictory" => read::<prune::PruneAnswer>(answer),
         other => Err(format!("there is no step {other}")),
     }
 }
@@ -123,7 +123,7 @@ pub fn readable(prompt: Prompt, answer: &str) -> Result<(), String> {
 /// All steps. Without regions and their objects there is no draft; what fails behind them is left out.
 fn steps(request: &str, asker: &mut Asker<'_>) -> Result<Draft, Error> {
     let mut draft = Draft { request: request.to_owned(), ..Draft::default() };
-    let mut names = Names::default();
+    let mut names = GivenNames::default();
     draft.outdoor = asker.or_else(scene::is_outdoor, request, |_| false)?;
     let sentences = if asker.asking.literal {
         Sentences::of_request(request)
@@ -167,9 +167,9 @@ fn steps(request: &str, asker: &mut Asker<'_>) -> Result<Draft, Error> {
 
 /// A note for each sentence of the request that nothing came of.
 fn unread(draft: &mut Draft) {
-    let stated = |source: &Source| match source {
-        Source::Stated(at) => Some(at.clone()),
-        Source::Inferred(_) => None,
+    let stated = |source: &ThingOrigin| match source {
+        ThingOrigin::Stated(at) => Some(at.clone()),
+        ThingOrigin::Inferred(_) => None,
     };
     let rooms = draft.rooms.iter().map(|room| &room.source);
     let openings = draft.openings.iter().map(|opening| &opening.source);

@@ -18,7 +18,7 @@ const MOST: usize = 32;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct PlaceAnswer {
     regions: Vec<Region>,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn place(asker: &mut Asker<'_>, sentences: &Sentences, draft: &mut Dr
         "outdoor": draft.outdoor,
         "sentences": sentences.told(None),
     });
-    let answer: Answer = asker.ask(PLACE, object(&json!({ "regions": list(&region) })), &known)?;
+    let answer: PlaceAnswer = asker.ask(PLACE, object(&json!({ "regions": list(&region) })), &known)?;
     for room in &mut draft.rooms {
         let Some(region) = answer.regions.iter().find(|region| region.name == room.name) else { continue };
         let usual = room.size[1];

@@ -2,8 +2,8 @@
 //! prover cannot.
 
 use super::ask::{Asker, CONTRADICTORY, Prompt, REDUNDANT, Trouble, list, object};
-use super::compile::{Trial, remove, weakest};
-use crate::draft::{Draft, Source, Statement};
+use super::compile::{TrialProgram, remove, weakest};
+use crate::draft::{Draft, Statement, ThingOrigin};
 use scenelang_llm::plain;
 use serde::Deserialize;
 use serde_json::json;
@@ -13,7 +13,7 @@ const LOOKS: usize = 12;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct PruneAnswer {
     remove: Vec<Removal>,
 }
 
@@ -43,7 +43,7 @@ pub(super) fn prune(asker: &mut Asker<'_>, draft: &mut Draft, own: &mut Vec<Stat
 /// Takes out what is proved to be implied by the rest, and of sets proved contradictory one statement each.
 pub(super) fn by_proof(draft: &mut Draft, own: &mut Vec<Statement>) {
     for _ in 0..LOOKS {
-        let proved = Trial::new(draft, own.iter().map(Statement::line)).proved(true);
+        let proved = TrialProgram::new(draft, own.iter().map(Statement::line)).proved(true);
         if let Some((among, texts)) = proved.contradictions.iter().find(|(among, _)| !among.is_empty()) {
             let Some(at) = weakest(own, among) else { return };
             take_out(draft, own, at, &format!("it contradicts: {}", texts.join("; ")), false);
@@ -71,12 +71,12 @@ fn by_model(
         .iter()
         .zip(1..)
         .map(|(statement, number)| {
-            let stated = matches!(statement.source, Source::Stated(_));
+            let stated = matches!(statement.source, ThingOrigin::Stated(_));
             json!({ "number": number, "statement": statement.line(), "stated": stated })
         })
         .collect();
     let schema = object(&json!({ "remove": list(&removal) }));
-    let answer: Answer = asker.ask(prompt, schema, &json!({ "statements": statements }))?;
+    let answer: PruneAnswer = asker.ask(prompt, schema, &json!({ "statements": statements }))?;
     let index = |number: i64| {
         let index = usize::try_from(number).ok()?.checked_sub(1)?;
         (index < own.len()).then_some(index)

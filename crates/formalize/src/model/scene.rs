@@ -6,7 +6,7 @@ use serde_json::json;
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct SceneAnswer {
     scene: Kind,
 }
 
@@ -20,6 +20,6 @@ enum Kind {
 /// Whether the scene is outdoors.
 pub(super) fn is_outdoor(asker: &mut Asker<'_>, request: &str) -> Result<bool, Trouble> {
     let schema = object(&json!({ "scene": { "type": "string", "enum": ["indoor", "outdoor"] } }));
-    let answer: Answer = asker.ask(SCENE, schema, &json!({ "request": request }))?;
+    let answer: SceneAnswer = asker.ask(SCENE, schema, &json!({ "request": request }))?;
     Ok(answer.scene == Kind::Outdoor)
 }

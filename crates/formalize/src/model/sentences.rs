@@ -1,6 +1,6 @@
 //! The sentences of Q′, numbered: steps name what they rest on by number, and so each thing knows its words.
 
-use crate::draft::Source;
+use crate::draft::ThingOrigin;
 use crate::text::{folded, sentence_ranges};
 use scenelang_llm::plain;
 use serde_json::{Value, json};
@@ -8,14 +8,14 @@ use serde_json::{Value, json};
 /// The sentences of the expanded request.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sentences {
-    list: Vec<(String, Source)>,
+    list: Vec<(String, ThingOrigin)>,
 }
 
 impl Sentences {
     /// Those of the request alone.
     pub fn of_request(request: &str) -> Self {
         let own = sentence_ranges(request).into_iter();
-        Self { list: own.map(|at| (folded(&request[at.clone()]), Source::Stated(at))).collect() }
+        Self { list: own.map(|at| (folded(&request[at.clone()]), ThingOrigin::Stated(at))).collect() }
     }
 
     /// Adds one that the request does not say.
@@ -25,7 +25,7 @@ impl Sentences {
 
     /// Adds one that says what these bytes of the request say.
     pub fn state(&mut self, text: String, at: std::ops::Range<usize>) {
-        self.list.push((text, Source::Stated(at)));
+        self.list.push((text, ThingOrigin::Stated(at)));
     }
 
     pub fn len(&self) -> usize {
@@ -36,13 +36,13 @@ impl Sentences {
     pub fn told(&self, only: Option<&[usize]>) -> Value {
         let all = self.list.iter().zip(1_usize..).filter(|(_, number)| only.is_none_or(|only| only.contains(number)));
         let told = all.map(|((text, source), number)| {
-            json!({ "number": number, "text": text, "stated": matches!(source, Source::Stated(_)) })
+            json!({ "number": number, "text": text, "stated": matches!(source, ThingOrigin::Stated(_)) })
         });
         told.collect()
     }
 
     /// Where something comes from that rests on a sentence, or on a reason of the model's own.
-    pub fn source(&self, number: Option<i64>, reason: Option<&str>) -> Source {
+    pub fn source(&self, number: Option<i64>, reason: Option<&str>) -> ThingOrigin {
         let index = number.and_then(|number| usize::try_from(number).ok()).and_then(|number| number.checked_sub(1));
         match index.and_then(|index| self.list.get(index)) {
             Some((_, source)) => source.clone(),
@@ -51,7 +51,7 @@ impl Sentences {
     }
 }
 
-fn inferred(reason: Option<&str>) -> Source {
+fn inferred(reason: Option<&str>) -> ThingOrigin {
     let reason = plain(reason.unwrap_or(""), 200);
-    Source::Inferred(if reason.is_empty() { "the model adds it".into() } else { reason })
+    ThingOrigin::Inferred(if reason.is_empty() { "the model adds it".into() } else { reason })
 }

@@ -1,7 +1,7 @@
 //! What became of the words of a request: each that says something is part of the brief, or it is reported.
 
 use super::lexicon::{Class, get};
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use crate::brief::{Clause, Note, Word};
 use std::ops::Range;
 
@@ -40,7 +40,7 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
         for &i in own.iter().filter(|i| !used[**i]) {
             let at = tokens[i].at.clone();
             let reason = match tokens[i].kind {
-                Kind::Number(_) => "no statement uses this number",
+                WordKind::Number(_) => "no statement uses this number",
                 _ if turns(tokens, i) => "this changes the request, and no statement expresses it",
                 _ => continue,
             };
@@ -81,9 +81,9 @@ fn clauses(tokens: &[Token]) -> Vec<Range<usize>> {
         let ends = tokens.get(i).is_none_or(|t| {
             matches!(
                 t.kind,
-                Kind::Line
-                    | Kind::Bullet
-                    | Kind::Sign('.' | ',' | ';' | ':' | '!' | '?' | '(' | ')' | '—' | '。' | '，')
+                WordKind::Line
+                    | WordKind::Bullet
+                    | WordKind::Sign('.' | ',' | ';' | ':' | '!' | '?' | '(' | ')' | '—' | '。' | '，')
             )
         });
         if ends {
@@ -100,8 +100,8 @@ fn clauses(tokens: &[Token]) -> Vec<Range<usize>> {
 fn carries(token: &Token) -> bool {
     let lexicon = get();
     match token.kind {
-        Kind::Word => !lexicon.is(&token.text, Class::Stop) && !lexicon.is(&token.text, Class::Soft),
-        Kind::Number(_) => true,
+        WordKind::Word => !lexicon.is(&token.text, Class::Stop) && !lexicon.is(&token.text, Class::Soft),
+        WordKind::Number(_) => true,
         _ => false,
     }
 }

@@ -1,10 +1,10 @@
 //! Tokens → chunks: noun phrases, relations, verbs, measures, and the little words between them.
 
-use super::lexicon::{Class, Look, Verb, get, relation_called};
+use super::lexicon::{Class, LookWord, Verb, get, relation_called};
 use super::measure::{Measure, measure};
-use super::noun::{Kind as NounKind, Np, bounded, noun_phrase};
+use super::noun::{NounKind, Np, bounded, noun_phrase};
 use super::phrases::Phrases;
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use crate::brief::{Dim, Pattern, Rel};
 use crate::draft;
 use std::ops::Range;
@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 /// A piece of a sentence.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Piece {
+pub enum ChunkPiece {
     /// A noun phrase.
     Np(Box<Np>),
     /// Looks without a noun: "white", "of galvanised steel".
@@ -65,7 +65,7 @@ pub enum Piece {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chunk {
     /// What it is.
-    pub piece: Piece,
+    pub piece: ChunkPiece,
     /// Indices of tokens.
     pub at: Range<usize>,
 }
@@ -74,34 +74,34 @@ impl Chunk {
     /// The noun phrase, if it is one.
     pub fn np(&self) -> Option<&Np> {
         match &self.piece {
-            Piece::Np(np) => Some(np),
+            ChunkPiece::Np(np) => Some(np),
             _ => None,
         }
     }
 }
 
 /// Phrases that are one piece.
-fn fixed_phrases() -> &'static Phrases<Piece> {
-    static PHRASES: OnceLock<Phrases<Piece>> = OnceLock::new();
+fn fixed_phrases() -> &'static Phrases<ChunkPiece> {
+    static PHRASES: OnceLock<Phrases<ChunkPiece>> = OnceLock::new();
     let piece = |key: &str| {
         Some(match key {
-            "sideBySide" => Piece::Pattern(Pattern::SideBySide),
-            "row" => Piece::Pattern(Pattern::Row),
-            "rows" => Piece::Pattern(Pattern::Rows(usize::MAX)),
-            "circle" => Piece::Pattern(Pattern::Circle),
-            "backToBack" => Piece::Pattern(Pattern::BackToBack),
-            "faceToFace" => Piece::Pattern(Pattern::FaceToFace),
-            "leftToRight" => Piece::Pattern(Pattern::LeftToRight),
-            "stacked" => Piece::Pattern(Pattern::Stacked),
-            "opens" => Piece::Pattern(Pattern::Opens),
-            "and" => Piece::And,
-            "with" => Piece::With,
-            "soft" => Piece::Soft,
-            "there" => Piece::There,
-            "word" => Piece::Word(false),
-            "be" => Piece::Verb(Verb::Be),
-            "of" => Piece::Rel(Rel::Of),
-            key => Piece::ToIts(relation_called(key.strip_prefix("its ")?)?),
+            "sideBySide" => ChunkPiece::Pattern(Pattern::SideBySide),
+            "row" => ChunkPiece::Pattern(Pattern::Row),
+            "rows" => ChunkPiece::Pattern(Pattern::Rows(usize::MAX)),
+            "circle" => ChunkPiece::Pattern(Pattern::Circle),
+            "backToBack" => ChunkPiece::Pattern(Pattern::BackToBack),
+            "faceToFace" => ChunkPiece::Pattern(Pattern::FaceToFace),
+            "leftToRight" => ChunkPiece::Pattern(Pattern::LeftToRight),
+            "stacked" => ChunkPiece::Pattern(Pattern::Stacked),
+            "opens" => ChunkPiece::Pattern(Pattern::Opens),
+            "and" => ChunkPiece::And,
+            "with" => ChunkPiece::With,
+            "soft" => ChunkPiece::Soft,
+            "there" => ChunkPiece::There,
+            "word" => ChunkPiece::Word(false),
+            "be" => ChunkPiece::Verb(Verb::Be),
+            "of" => ChunkPiece::Rel(Rel::Of),
+            key => ChunkPiece::ToIts(relation_called(key.strip_prefix("its ")?)?),
         })
     };
     PHRASES.get_or_init(|| Phrases::new(include_str!("../../data/phrases.txt"), piece))
@@ -120,22 +120,22 @@ pub fn chunks(tokens: &[Token]) -> Vec<Chunk> {
     out
 }
 
-fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
+fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (ChunkPiece, usize) {
     let rest = &tokens[at..];
     let first = &rest[0];
     if let Some(piece) = sign(first) {
         return (piece, 1);
     }
     if let Some((np, used)) = bounded(rest) {
-        return (Piece::Np(Box::new(np)), used);
+        return (ChunkPiece::Np(Box::new(np)), used);
     }
     let sized = || measured(rest).or_else(|| fixed(rest));
-    if let Some(found) = sized().or_else(|| rows(rest).map(|(rows, used)| (Piece::Pattern(rows), used))) {
+    if let Some(found) = sized().or_else(|| rows(rest).map(|(rows, used)| (ChunkPiece::Pattern(rows), used))) {
         return found;
     }
     let lexicon = get();
     if let Some(used) = lexicon.soft(rest).filter(|n| *n > 1 || !matches!(first.text.as_str(), "can" | "could")) {
-        return (Piece::Soft, used);
+        return (ChunkPiece::Soft, used);
     }
     if let Some(piece) = little(rest) {
         return (piece, 1);
@@ -146,69 +146,74 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (Piece, usize) {
         return found;
     }
     match (relation, verb) {
-        (Some((r, n)), v) if v.is_none_or(|(_, m)| n >= m) => return (Piece::Rel(r), n),
-        (_, Some((v, n))) => return (Piece::Verb(v), n),
+        (Some((r, n)), v) if v.is_none_or(|(_, m)| n >= m) => return (ChunkPiece::Rel(r), n),
+        (_, Some((v, n))) => return (ChunkPiece::Verb(v), n),
         _ => {}
     }
     if lexicon.is(&first.text, Class::Not) {
-        return (Piece::Not, 1);
+        return (ChunkPiece::Not, 1);
     }
     if let Some((look, used)) = looks(rest) {
-        return (Piece::Attr(look), used);
+        return (ChunkPiece::Attr(look), used);
     }
-    (Piece::Word(first.word() && !lexicon.is(&first.text, Class::Stop) && !lexicon.is(&first.text, Class::Abstract)), 1)
+    (
+        ChunkPiece::Word(
+            first.word() && !lexicon.is(&first.text, Class::Stop) && !lexicon.is(&first.text, Class::Abstract),
+        ),
+        1,
+    )
 }
 
 /// What a sign is; quotation marks are part of what they enclose.
-fn sign(first: &Token) -> Option<Piece> {
+fn sign(first: &Token) -> Option<ChunkPiece> {
     Some(match first.kind {
-        Kind::Line => Piece::Line,
-        Kind::Bullet => Piece::Bullet,
-        Kind::Sign('\'' | '"') | Kind::Word | Kind::Number(_) => return None,
-        Kind::Sign(c) => match c {
-            '.' | '!' | '?' | ';' | '…' => Piece::Stop,
-            ',' | '—' | '-' | '/' | '|' => Piece::Comma,
-            '&' | '+' => Piece::And,
-            ':' => Piece::Colon,
-            '(' | '[' => Piece::Open,
-            ')' | ']' => Piece::Close,
-            _ => Piece::Word(false),
+        WordKind::Line => ChunkPiece::Line,
+        WordKind::Bullet => ChunkPiece::Bullet,
+        WordKind::Sign('\'' | '"') | WordKind::Word | WordKind::Number(_) => return None,
+        WordKind::Sign(c) => match c {
+            '.' | '!' | '?' | ';' | '…' => ChunkPiece::Stop,
+            ',' | '—' | '-' | '/' | '|' => ChunkPiece::Comma,
+            '&' | '+' => ChunkPiece::And,
+            ':' => ChunkPiece::Colon,
+            '(' | '[' => ChunkPiece::Open,
+            ')' | ']' => ChunkPiece::Close,
+            _ => ChunkPiece::Word(false),
         },
     })
 }
 
 /// A measure, or a noun phrase that begins with one: "a 2 m wide table".
-fn measured(rest: &[Token]) -> Option<(Piece, usize)> {
+fn measured(rest: &[Token]) -> Option<(ChunkPiece, usize)> {
     let (m, used) = measure(rest)?;
     let noun =
         noun_phrase(rest, false).filter(|(np, n)| *n > used && np.kind == NounKind::Thing && !np.dims.is_empty());
     Some(match noun {
-        Some((np, n)) if m.plain() => (Piece::Np(Box::new(np)), n),
-        _ => (Piece::Measure(m), used),
+        Some((np, n)) if m.plain() => (ChunkPiece::Np(Box::new(np)), n),
+        _ => (ChunkPiece::Measure(m), used),
     })
 }
 
 /// The little words that join others.
-fn little(rest: &[Token]) -> Option<Piece> {
+fn little(rest: &[Token]) -> Option<ChunkPiece> {
     let lexicon = get();
     let next = rest.get(1);
     let first = rest[0].text.as_str();
     match first {
-        "with" if lexicon.relation(rest).is_none_or(|(_, n)| n < 2) => Some(Piece::With),
-        "and" | "or" | "plus" | "nor" => Some(Piece::And),
-        "which" | "where" | "while" | "whose" => Some(Piece::Which),
+        "with" if lexicon.relation(rest).is_none_or(|(_, n)| n < 2) => Some(ChunkPiece::With),
+        "and" | "or" | "plus" | "nor" => Some(ChunkPiece::And),
+        "which" | "where" | "while" | "whose" => Some(ChunkPiece::Which),
         "that"
             if next
                 .map(std::slice::from_ref)
                 .is_some_and(|next| lexicon.verb(next).is_some() || lexicon.relation(next).is_some()) =>
         {
-            Some(Piece::Which)
+            Some(ChunkPiece::Which)
         }
-        "apart" if next.is_none_or(|t| !t.is("from")) => Some(Piece::Apart),
+        "apart" if next.is_none_or(|t| !t.is("from")) => Some(ChunkPiece::Apart),
         "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance"
             if next.is_none_or(|t| !t.is("of") || first != "clear") =>
         {
-            Some(Piece::Free)
+            Some(ChunkPiece::Free)
         }
         _ => None,
     }
@@ -216,35 +221,35 @@ fn little(rest: &[Token]) -> Option<Piece> {
 
 /// The noun phrase that begins here, unless what begins here is rather a verb or a relation of so many words: not the
 /// verb in "standing desk", "hanging plant", "set of shelves", "leaning mirror".
-fn noun_here(rest: &[Token], before: &[Chunk], longest: usize) -> Option<(Piece, usize)> {
+fn noun_here(rest: &[Token], before: &[Chunk], longest: usize) -> Option<(ChunkPiece, usize)> {
     let last = before.last().map(|c| &c.piece);
     let listed = matches!(
         last,
         Some(
-            Piece::Bullet
-                | Piece::With
-                | Piece::Rel(_)
-                | Piece::Colon
-                | Piece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
+            ChunkPiece::Bullet
+                | ChunkPiece::With
+                | ChunkPiece::Rel(_)
+                | ChunkPiece::Colon
+                | ChunkPiece::Verb(Verb::Have | Verb::Carry | Verb::Flank)
         )
     );
     // "Eye test cabin: …": what a line or sentence begins with before a colon.
-    let begins = matches!(last, None | Some(Piece::Stop | Piece::Line));
+    let begins = matches!(last, None | Some(ChunkPiece::Stop | ChunkPiece::Line));
     let colon = rest.iter().take(5).find(|t| !t.word()).is_some_and(|t| t.is(":"));
     let listed = listed || begins && colon;
     let (np, used) = noun_phrase(rest, listed)?;
     // "picture frames": one noun of the tables, whatever its first word may be besides.
     let known = used > longest && np.known && np.det == super::noun::Det::None;
-    let fresh = !matches!(last, Some(Piece::Np(_)));
+    let fresh = !matches!(last, Some(ChunkPiece::Np(_)));
     let noun = longest == 0 || known && listed && np.last == used || known && fresh && get().is_look(&rest[0].text);
-    noun.then(|| (Piece::Np(Box::new(np)), used))
+    noun.then(|| (ChunkPiece::Np(Box::new(np)), used))
 }
 
 /// The longest of these that begins here.
-pub fn fixed(rest: &[Token]) -> Option<(Piece, usize)> {
+pub fn fixed(rest: &[Token]) -> Option<(ChunkPiece, usize)> {
     let best = fixed_phrases().longest(rest)?;
     let next = rest.get(best.1);
-    let open = matches!(best.0, Piece::ToIts(_)) && next.is_some_and(|t| t.is("of"));
+    let open = matches!(best.0, ChunkPiece::ToIts(_)) && next.is_some_and(|t| t.is("of"));
     // "underneath the table", "in front the" are relations to what follows; "on top of", "to the left of" too.
     let follows =
         |t: &&Token| get().is(&t.text, Class::Def) || get().is(&t.text, Class::Det) || get().is(&t.text, Class::Each);
@@ -292,39 +297,40 @@ pub fn looks(rest: &[Token]) -> Option<(draft::Look, usize)> {
 }
 
 /// The look that begins here, in as many words as belong together.
-pub fn look_at(rest: &[Token]) -> Option<(Look, usize)> {
+pub fn look_at(rest: &[Token]) -> Option<(LookWord, usize)> {
     let lexicon = get();
     let words = rest.iter().take(3).take_while(|t| t.word()).count();
     let joined = |n: usize| rest[..n].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
     let (kind, n) = (1..=words).rev().find_map(|n| lexicon.look(&joined(n)).map(|l| (l, n)))?;
-    if kind == Look::Shade || lexicon.look(&rest[n - 1].text) == Some(Look::Shade) && kind != Look::Material {
+    if kind == LookWord::Shade || lexicon.look(&rest[n - 1].text) == Some(LookWord::Shade) && kind != LookWord::Material
+    {
         // "dark blue"; "deep" alone is a feature.
         return match look_at(&rest[n..]) {
-            Some((Look::Color, more)) => Some((Look::Color, n + more)),
+            Some((LookWord::Color, more)) => Some((LookWord::Color, n + more)),
             // "light beech", "dark granite"
-            Some((Look::Material, more)) if matches!(rest[0].text.as_str(), "dark" | "pale" | "light") => {
-                Some((Look::Material, n + more))
+            Some((LookWord::Material, more)) if matches!(rest[0].text.as_str(), "dark" | "pale" | "light") => {
+                Some((LookWord::Material, n + more))
             }
-            _ if matches!(rest[0].text.as_str(), "dark" | "pale" | "bright" | "light") => Some((Look::Color, n)),
-            _ => Some((if kind == Look::Shade { Look::Feature } else { kind }, n)),
+            _ if matches!(rest[0].text.as_str(), "dark" | "pale" | "bright" | "light") => Some((LookWord::Color, n)),
+            _ => Some((if kind == LookWord::Shade { LookWord::Feature } else { kind }, n)),
         };
     }
     // "moss green", "olive green": a material or colour word before a colour belongs to it.
     let noun_next = rest.get(n).is_some_and(|t| lexicon.noun(&t.text).is_some());
-    if kind == Look::Color
+    if kind == LookWord::Color
         && n == 1
         && !noun_next
-        && let Some((Look::Color, more)) = rest.get(n).and_then(|_| look_at(&rest[n..]))
+        && let Some((LookWord::Color, more)) = rest.get(n).and_then(|_| look_at(&rest[n..]))
         && rest[0].text != "white"
         && rest[0].text != "black"
     {
-        return Some((Look::Color, n + more));
+        return Some((LookWord::Color, n + more));
     }
     Some((kind, n))
 }
 
 /// Adds words to a look.
-pub fn add_look(look: &mut draft::Look, kind: Look, tokens: &[Token]) {
+pub fn add_look(look: &mut draft::Look, kind: LookWord, tokens: &[Token]) {
     let text = tokens.iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
     let join = |old: &mut Option<String>| match old {
         Some(old) if !old.contains(&text) => {
@@ -336,10 +342,10 @@ pub fn add_look(look: &mut draft::Look, kind: Look, tokens: &[Token]) {
     };
     match kind {
         // A second colour is of a part: kept among the features.
-        Look::Color if look.color.is_some() => look.features.push(text),
-        Look::Color => look.color = Some(text),
-        Look::Material => join(&mut look.material),
-        Look::Feature | Look::Shade => look.features.push(text),
+        LookWord::Color if look.color.is_some() => look.features.push(text),
+        LookWord::Color => look.color = Some(text),
+        LookWord::Material => join(&mut look.material),
+        LookWord::Feature | LookWord::Shade => look.features.push(text),
     }
 }
 

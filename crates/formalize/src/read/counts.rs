@@ -3,7 +3,7 @@
 
 use super::lexicon::get;
 use super::number::{self, unit};
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use crate::brief::too_many;
 use std::ops::Range;
 
@@ -13,19 +13,19 @@ const THIN: f64 = 0.01;
 /// "0 beds" are no beds.
 pub fn none(tokens: &mut [Token]) {
     for i in 0..tokens.len() {
-        if tokens[i].kind != Kind::Number(0.0) || tokens[i].text != "0" {
+        if tokens[i].kind != WordKind::Number(0.0) || tokens[i].text != "0" {
             continue;
         }
         let before = i.checked_sub(1).map(|k| &tokens[k]);
         // "2 - 0", "x 0": part of something else.
-        let begins = before.is_none_or(|t| !matches!(t.kind, Kind::Number(_)) && !t.is("x") && !t.is("by"));
+        let begins = before.is_none_or(|t| !matches!(t.kind, WordKind::Number(_)) && !t.is("x") && !t.is("by"));
         let counts = tokens.get(i + 1).is_some_and(|t| {
             t.word()
                 && unit(&t.text).is_none()
                 && !matches!(t.text.as_str(), "x" | "by" | "square" | "sq" | "degrees" | "to" | "or")
         });
         if begins && counts {
-            tokens[i].kind = Kind::Word;
+            tokens[i].kind = WordKind::Word;
             tokens[i].text = "no".into();
         }
     }
@@ -35,11 +35,11 @@ pub fn none(tokens: &mut [Token]) {
 pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
     let mut out = Vec::new();
     for (i, token) in tokens.iter().enumerate() {
-        if let (Kind::Number(n), true) = (token.kind, i > 0) {
+        if let (WordKind::Number(n), true) = (token.kind, i > 0) {
             let sign = &tokens[i - 1];
             // "-3 chairs", but not "2-3 chairs" and not "a desk - 2 m long".
             let alone = i == 1 || tokens[i - 2].at.end < sign.at.start || tokens[i - 2].is("(");
-            let minus = matches!(sign.kind, Kind::Sign('-' | '−' | '—')) && sign.at.end == token.at.start && alone;
+            let minus = matches!(sign.kind, WordKind::Sign('-' | '−' | '—')) && sign.at.end == token.at.start && alone;
             if minus || sign.is("minus") {
                 let at = sign.at.start..token.at.end;
                 out.push((at, format!("counts and sizes are not negative: this is read as {n}")));
@@ -47,7 +47,7 @@ pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
         }
         let word = |k: usize| tokens.get(k).map_or("", |t| t.text.as_str());
         let along = ["long", "wide", "high", "tall", "deep", "thick", "across"].contains(&word(i + 2));
-        if let (Kind::Number(n), Some(metres), true) = (token.kind, unit(word(i + 1)), along)
+        if let (WordKind::Number(n), Some(metres), true) = (token.kind, unit(word(i + 1)), along)
             && n * metres < THIN
         {
             let at = token.at.start..tokens[i + 2].at.end;

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 /// A word or words for how a thing looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
+pub enum LookWord {
     /// A colour.
     Color,
     /// What may stand before a colour: "dark".
@@ -73,7 +73,7 @@ pub struct RoomKind {
 /// All tables.
 pub struct Lexicon {
     nouns: BTreeMap<&'static str, Group>,
-    looks: BTreeMap<&'static str, Look>,
+    looks: BTreeMap<&'static str, LookWord>,
     relations: BTreeMap<&'static str, Rel>,
     verbs: BTreeMap<&'static str, Verb>,
     words: BTreeMap<&'static str, Vec<Class>>,
@@ -142,12 +142,12 @@ const GROUPS: [(&str, Group); 14] = [
 ];
 
 /// What the kinds of looks are called in `looks.txt`.
-const LOOKS: [(&str, Look); 5] = [
-    ("color", Look::Color),
-    ("material", Look::Material),
-    ("joined", Look::Material),
-    ("feature", Look::Feature),
-    ("shade", Look::Shade),
+const LOOKS: [(&str, LookWord); 5] = [
+    ("color", LookWord::Color),
+    ("material", LookWord::Material),
+    ("joined", LookWord::Material),
+    ("feature", LookWord::Feature),
+    ("shade", LookWord::Shade),
 ];
 
 /// What the relations are called in `relations.txt`.
@@ -262,7 +262,7 @@ impl Lexicon {
     }
 
     /// A word for the looks of a thing.
-    pub fn look(&self, phrase: &str) -> Option<Look> {
+    pub fn look(&self, phrase: &str) -> Option<LookWord> {
         self.looks.get(phrase).copied()
     }
 

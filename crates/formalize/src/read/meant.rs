@@ -2,7 +2,7 @@
 
 use super::number;
 use super::paraphrase::{put, word};
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use super::zones::HOMES;
 use crate::furnish::kinds;
 
@@ -149,7 +149,7 @@ pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     put(tokens, i, end, &["for", "people"]);
     let at = tokens[i].at.clone();
-    let number = Token { kind: Kind::Number(people), text: people.to_string(), at, owner: false, capital: false };
+    let number = Token { kind: WordKind::Number(people), text: people.to_string(), at, owner: false, capital: false };
     tokens.insert(i + 1, number);
     true
 }
@@ -227,7 +227,7 @@ pub(super) fn docks(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "A gym with treadmills and weights": a rack of them.
 pub(super) fn weights(tokens: &mut Vec<Token>, i: usize) -> bool {
     let listed =
-        i > 0 && (matches!(word(tokens, i - 1), "and" | "with" | "some") || tokens[i - 1].kind == Kind::Sign(','));
+        i > 0 && (matches!(word(tokens, i - 1), "and" | "with" | "some") || tokens[i - 1].kind == WordKind::Sign(','));
     let gym = tokens[..i].iter().any(|t| t.is("gym") || t.is("fitness"));
     let ends = tokens.get(i + 1).is_none_or(|t| !t.word() || t.is("and"));
     if !matches!(word(tokens, i), "weights" | "dumbbells") || !listed || !gym || !ends {

@@ -2,7 +2,7 @@
 
 use super::number::{area, count, length, unit};
 use super::phrases::Phrases;
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use crate::brief::{Dim, Op};
 use std::sync::OnceLock;
 
@@ -194,7 +194,7 @@ fn size(rest: &[Token], bare: bool) -> Option<(Vec<f64>, usize)> {
                 used += 1;
                 dims_between = true;
             }
-        } else if let Some((n, k)) = count(&rest[used..]).filter(|_| rest[used].kind != Kind::Sign('\'')) {
+        } else if let Some((n, k)) = count(&rest[used..]).filter(|_| rest[used].kind != WordKind::Sign('\'')) {
             numbers.push((n, false));
             used += k;
         } else {

@@ -40,7 +40,7 @@ use crate::furnish::furnish;
 use crate::reconcile::{reconcile, reconcile_quickly};
 use account::Account;
 pub use account::BECAME_NOTHING;
-use chunk::Piece;
+use chunk::ChunkPiece;
 use std::ops::Range;
 use token::Token;
 
@@ -103,7 +103,10 @@ pub fn brief(request: &str) -> Brief {
         for said in several::connect(&mut brief, &chunks, &tokens, &found) {
             used[said].fill(true);
         }
-        for chunk in chunks.iter().filter(|chunk| matches!(chunk.piece, Piece::Verb(_) | Piece::Soft | Piece::There)) {
+        for chunk in chunks
+            .iter()
+            .filter(|chunk| matches!(chunk.piece, ChunkPiece::Verb(_) | ChunkPiece::Soft | ChunkPiece::There))
+        {
             grammar[chunk.at.clone()].fill(true);
         }
         if !reader.gone.is_empty() {

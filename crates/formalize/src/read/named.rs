@@ -4,7 +4,7 @@
 use super::lexicon::get;
 use super::number::count;
 use super::paraphrase::word;
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 
 /// Gives a room its whole name wherever it is called by the last word of it. Only where a measure says that the room is
 /// meant: who speaks of "the bar" may mean the counter.
@@ -12,7 +12,7 @@ pub fn whole(tokens: &mut Vec<Token>) {
     let Some((first, last)) = named(tokens) else { return };
     let measured = |i: usize| {
         let number =
-            tokens.get(i + 3..i + 4).is_some_and(|t| matches!(t[0].kind, Kind::Number(_)) || count(t).is_some());
+            tokens.get(i + 3..i + 4).is_some_and(|t| matches!(t[0].kind, WordKind::Number(_)) || count(t).is_some());
         let long = (i + 4..i + 7).any(|k| matches!(word(tokens, k), "long" | "wide" | "by" | "x"));
         short(tokens, i, &last) && word(tokens, i + 2) == "is" && number && long
     };
@@ -25,7 +25,7 @@ pub fn whole(tokens: &mut Vec<Token>) {
             && matches!(word(tokens, i - 1), "at" | "on" | "behind" | "above" | "along" | "under" | "around" | "of");
         if short(tokens, i, &last) && !at_thing {
             let at = tokens[i + 1].at.clone();
-            tokens.insert(i + 1, Token { kind: Kind::Word, text: first.clone(), at, owner: false, capital: false });
+            tokens.insert(i + 1, Token { kind: WordKind::Word, text: first.clone(), at, owner: false, capital: false });
         }
         i += 1;
     }

@@ -36,7 +36,7 @@ pub enum Det {
 
 /// What a noun phrase speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum NounKind {
     /// A thing.
     Thing,
     /// A room: an index into the kinds.
@@ -63,7 +63,7 @@ pub struct Np {
     /// "several", "a few": at least three.
     pub several: bool,
     /// What it speaks of.
-    pub kind: Kind,
+    pub kind: NounKind,
     /// Words of the name in the singular, looks left out: "coffee", "table".
     pub words: Vec<String>,
     /// How many of the last words the tables know as one noun.
@@ -112,7 +112,7 @@ pub enum Nth {
 }
 
 impl Np {
-    fn new(kind: Kind) -> Self {
+    fn new(kind: NounKind) -> Self {
         Self {
             det: Det::None,
             count: None,

@@ -1,6 +1,6 @@
 //! Numbers in words and digits, and lengths: "forty-five centimetres", "one metre ten", "6'", "half a metre".
 
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 
 /// A number in one word: "seven", "twenty-four".
 pub fn small(word: &str) -> Option<f64> {
@@ -59,8 +59,8 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         return Some((6.0, 3));
     }
     let single = |t: &Token| match t.kind {
-        Kind::Number(n) => Some(n),
-        Kind::Word => small(&t.text),
+        WordKind::Number(n) => Some(n),
+        WordKind::Word => small(&t.text),
         _ => None,
     };
     let mut value = single(tokens.first()?)?;

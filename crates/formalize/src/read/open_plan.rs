@@ -1,7 +1,7 @@
 //! Rooms that are one room: "an open-plan living room and kitchen" is a living room with what a kitchen has along its wall.
 
 use super::paraphrase::{put, word};
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use super::zones::HOMES;
 
 /// What says that the rooms that follow are one, and in how many words.
@@ -62,7 +62,7 @@ fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
             parts.push((name, has));
         }
         (at, end) = (next, next);
-        while matches!(tokens.get(at).map(|t| t.kind), Some(Kind::Sign(',' | '/' | '&')))
+        while matches!(tokens.get(at).map(|t| t.kind), Some(WordKind::Sign(',' | '/' | '&')))
             || matches!(word(tokens, at), "and" | "cum" | "plus" | "a")
         {
             at += 1;

@@ -3,7 +3,7 @@
 
 use super::lexicon::{get, singular};
 use super::meant;
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 
 /// Turns what can be said more plainly. Shared words keep their places in the request.
 pub fn plain(tokens: &mut Vec<Token>) {
@@ -58,7 +58,9 @@ pub(super) fn word(tokens: &[Token], i: usize) -> &str {
 
 /// Whether a clause ends before this token.
 pub(super) fn ends(tokens: &[Token], i: usize) -> bool {
-    tokens.get(i).is_none_or(|t| matches!(t.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!' | '?')) || t.is("and"))
+    tokens
+        .get(i)
+        .is_none_or(|t| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ',' | ';' | '!' | '?')) || t.is("and"))
 }
 
 /// Puts words in the place of others, where these stood.
@@ -66,7 +68,7 @@ pub(super) fn put(tokens: &mut Vec<Token>, from: usize, to: usize, words: &[&str
     let (Some(first), Some(last)) = (tokens.get(from), tokens.get(to - 1)) else { return };
     let at = first.at.start..last.at.end;
     let new = |text: &&str| Token {
-        kind: Kind::Word,
+        kind: WordKind::Word,
         text: (*text).to_owned(),
         at: at.clone(),
         owner: false,
@@ -95,7 +97,7 @@ fn apart(tokens: &mut Vec<Token>, i: usize) -> bool {
     let among = tokens[closer + 1..than]
         .iter()
         .all(|t| matches!(t.text.as_str(), "to" | "together" | "each" | "other" | "one" | "another"));
-    let Some(number) = tokens.get(than + 1).filter(|t| matches!(t.kind, Kind::Number(_)) || t.word()) else {
+    let Some(number) = tokens.get(than + 1).filter(|t| matches!(t.kind, WordKind::Number(_)) || t.word()) else {
         return false;
     };
     let unit = than + 2;
@@ -292,7 +294,7 @@ fn stools(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let stools =
-        ["bar", "stools"].map(|text| Token { text: text.to_owned(), kind: Kind::Word, ..tokens[last - 1].clone() });
+        ["bar", "stools"].map(|text| Token { text: text.to_owned(), kind: WordKind::Word, ..tokens[last - 1].clone() });
     tokens.splice(last..last + people, stools);
     put(tokens, i + 1, i + 2, &["and"]);
     put(tokens, i, i + 1, &["bar", "counter"]);
@@ -413,7 +415,7 @@ fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Distance desks to wall: 2 m": the distance between desks and wall.
 fn distance(tokens: &mut Vec<Token>, i: usize) -> bool {
     const FAR: usize = 5;
-    let begins = i == 0 || matches!(tokens[i - 1].kind, Kind::Line | Kind::Bullet);
+    let begins = i == 0 || matches!(tokens[i - 1].kind, WordKind::Line | WordKind::Bullet);
     let said = begins && matches!(word(tokens, i), "distance" | "gap" | "clearance");
     if !said || matches!(word(tokens, i + 1), "between" | "of" | "from" | "to" | "is" | "in" | "") {
         return false;

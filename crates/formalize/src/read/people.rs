@@ -2,7 +2,7 @@
 
 use super::lexicon::{Class, get};
 use super::number;
-use super::token::{Kind, Token, tokens};
+use super::token::{Token, WordKind, tokens};
 use crate::brief::{Brief, Number, Room, Thing};
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ fn after_for(rest: &[Token]) -> Option<(f64, usize)> {
     let (n, words) = number::count(rest)?;
     // "For six" without a noun speaks of people, too.
     let ends = |who: &Token| {
-        matches!(who.kind, Kind::Line | Kind::Sign('.' | ',' | ';' | '!' | ')' | ':'))
+        matches!(who.kind, WordKind::Line | WordKind::Sign('.' | ',' | ';' | '!' | ')' | ':'))
             || GO_ON.iter().any(|word| who.is(word))
     };
     match rest.get(words) {
@@ -91,7 +91,7 @@ pub fn each(brief: &mut Brief, tokens: &[Token]) -> Vec<usize> {
     let Some(room) = brief.rooms.iter().position(|room| room.people.is_some()) else { return Vec::new() };
     let people = brief.rooms[room].people.unwrap_or(1);
     let begin = said.start;
-    let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | ';' | '!'));
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | '!'));
     let end = tokens[begin..].iter().position(ends).map_or(tokens.len(), |n| begin + n);
     let has = |t: &Token| ["with", "has", "have", "having", "gets", "get"].iter().any(|word| t.is(word));
     let Some(at) = (begin..end).find(|i| tokens[*i].is("each")) else { return Vec::new() };
@@ -99,7 +99,7 @@ pub fn each(brief: &mut Brief, tokens: &[Token]) -> Vec<usize> {
         at + 1..end
     } else {
         // It ends the list, and nothing in that list is so many for each of another.
-        let closes = at + 1 == end || matches!(tokens[at + 1].kind, Kind::Sign(','));
+        let closes = at + 1 == end || matches!(tokens[at + 1].kind, WordKind::Sign(','));
         let Some(with) = (begin..at).rev().find(|i| has(&tokens[*i])).filter(|_| closes) else { return Vec::new() };
         with..at
     };

@@ -4,7 +4,7 @@
 use super::lexicon::{get, singular};
 use super::number::{count, length, unit};
 use super::paraphrase::{ends, put, word};
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 
 /// So far back a noun is looked for that a word stands for.
 const BACK: usize = 60;
@@ -24,7 +24,7 @@ fn several(token: &Token) -> bool {
 
 /// Whether a clause begins at this token.
 fn begins(tokens: &[Token], i: usize) -> bool {
-    let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | ';' | '!' | '?' | ':'));
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | '!' | '?' | ':'));
     i.checked_sub(1).is_none_or(|before| ends(&tokens[before]))
 }
 
@@ -56,7 +56,7 @@ fn of_which(tokens: &mut Vec<Token>, i: usize) -> bool {
     };
     put(tokens, i + 2, i + 3, &["the", &noun]);
     if i > 0 && tokens[i - 1].is(",") {
-        tokens[i - 1].kind = Kind::Sign(';');
+        tokens[i - 1].kind = WordKind::Sign(';');
         tokens[i - 1].text = ";".to_owned();
     }
     true
@@ -212,7 +212,7 @@ fn some_of(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let own = tokens[i].clone();
-    let new = ["of", "the"].map(|text| Token { kind: Kind::Word, text: text.to_owned(), ..own.clone() });
+    let new = ["of", "the"].map(|text| Token { kind: WordKind::Word, text: text.to_owned(), ..own.clone() });
     tokens.splice(i + 1..i + 1, new);
     true
 }

@@ -1,12 +1,12 @@
 //! Which rooms a request speaks of, before its things are read: a room is one only if it is a heading, has a size, is led
 //! to, or is what a sentence is about. "The door to the garden" makes no garden.
 
-use super::chunk::{Chunk, Piece};
+use super::chunk::{Chunk, ChunkPiece};
 use super::lexicon::{Verb, get};
-use super::noun::{Det, Kind, Np};
+use super::noun::{Det, NounKind, Np};
 use super::several::{Several, hyphen, is_home, listed, one_of};
 use super::token::Token;
-use crate::brief::{Place, Rel, Room, Source};
+use crate::brief::{Place, Rel, Room, ThingOrigin};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -31,7 +31,7 @@ impl Rooms {
     }
 
     /// Notes one of several of a kind that were spoken of, as "the second bedroom" is. Whether there are such.
-    fn is_one_of(&mut self, chunk: usize, np: &Np, kind: &str, source: &Source) -> bool {
+    fn is_one_of(&mut self, chunk: usize, np: &Np, kind: &str, source: &ThingOrigin) -> bool {
         let label = np.name();
         let of = self.rooms.iter().zip(&self.several).position(|(room, several)| {
             several.count > 1 && get().room(&room.name).is_some_and(|known| known.name == kind)
@@ -53,7 +53,7 @@ impl Rooms {
     }
 
     /// Notes one of the rooms that a home is said to have: so many of them, of a room that alone leads to them, if any.
-    fn listed(&mut self, chunk: usize, np: &Np, source: Source, (count, own): (usize, Option<usize>)) {
+    fn listed(&mut self, chunk: usize, np: &Np, source: ThingOrigin, (count, own): (usize, Option<usize>)) {
         let known = self.rooms.iter().zip(&self.several).position(|(room, several)| {
             own.is_none() && room.name == np.name() && several.own.is_none() && several.count >= count
         });
@@ -67,9 +67,12 @@ impl Rooms {
     }
 
     /// "a living room with a balcony": another room, outside. What cannot be built is told, and is not the first room.
-    fn outside(&mut self, chunk: usize, np: &Np, source: Source, chunks: &[Chunk]) {
+    fn outside(&mut self, chunk: usize, np: &Np, source: ThingOrigin, chunks: &[Chunk]) {
         let before = chunk.checked_sub(1).map(|k| &chunks[k].piece);
-        let has = matches!(before, Some(Piece::With | Piece::And | Piece::Comma | Piece::Verb(Verb::Have)));
+        let has = matches!(
+            before,
+            Some(ChunkPiece::With | ChunkPiece::And | ChunkPiece::Comma | ChunkPiece::Verb(Verb::Have))
+        );
         if has && crate::storey::is_outside(&np.name()) && self.rooms.len() < MOST {
             let room = self.add(Room { name: name_of(np), source, ..Room::default() }, Several::default());
             self.spoken.insert(chunk, room);
@@ -98,12 +101,12 @@ pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
     // What could be a thing as well and is no room here is a thing.
     let placed: Vec<bool> = (0..chunks.len()).map(|i| placed(chunks, i)).collect();
     for (i, chunk) in chunks.iter_mut().enumerate() {
-        if let Piece::Np(np) = &mut chunk.piece
-            && np.kind == Kind::Room
+        if let ChunkPiece::Np(np) = &mut chunk.piece
+            && np.kind == NounKind::Room
             && (np.group.is_some() || placed[i])
             && !out.spoken.contains_key(&i)
         {
-            np.kind = Kind::Thing;
+            np.kind = NounKind::Thing;
         }
     }
     out
@@ -111,28 +114,30 @@ pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
 
 /// "A scriptorium with two desks": what the request begins with and nobody knows is a room, if no other is named.
 fn nameless(chunks: &mut [Chunk]) {
-    if chunks.iter().any(|chunk| chunk.np().is_some_and(|np| np.kind == Kind::Room)) {
+    if chunks.iter().any(|chunk| chunk.np().is_some_and(|np| np.kind == NounKind::Room)) {
         return;
     }
     let Some(first) = chunks.iter().position(|chunk| chunk.np().is_some()) else { return };
-    let ends =
-        matches!(chunks.get(first + 1).map(|chunk| &chunk.piece), None | Some(Piece::With | Piece::Stop | Piece::Line));
-    let begins = chunks[..first].iter().all(|chunk| !matches!(chunk.piece, Piece::Rel(_) | Piece::There));
-    let Some(Chunk { piece: Piece::Np(np), .. }) = chunks.get_mut(first) else { return };
+    let ends = matches!(
+        chunks.get(first + 1).map(|chunk| &chunk.piece),
+        None | Some(ChunkPiece::With | ChunkPiece::Stop | ChunkPiece::Line)
+    );
+    let begins = chunks[..first].iter().all(|chunk| !matches!(chunk.piece, ChunkPiece::Rel(_) | ChunkPiece::There));
+    let Some(Chunk { piece: ChunkPiece::Np(np), .. }) = chunks.get_mut(first) else { return };
     let one = np.det == Det::Indefinite && np.count.is_none_or(|n| n == 1);
     let unknown = !np.known && np.group.is_none() && crate::furnish::kinds::of(&np.name()).is_none();
-    if ends && begins && one && np.kind == Kind::Thing && unknown {
+    if ends && begins && one && np.kind == NounKind::Thing && unknown {
         np.words.push("room".to_owned());
-        np.kind = Kind::Room;
+        np.kind = NounKind::Room;
     }
 }
 
 /// "The cold store is in the corner": a room that stands somewhere in another is a thing there.
 fn placed(chunks: &[Chunk], i: usize) -> bool {
     let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
-    let corner = |k: usize| matches!(piece(k), Some(Piece::Np(np)) if matches!(np.kind, Kind::Place(Place::Corner | Place::Wall | Place::Middle)));
-    matches!(piece(i + 1), Some(Piece::Verb(Verb::Be)))
-        && matches!(piece(i + 2), Some(Piece::Rel(Rel::In | Rel::At | Rel::Against)))
+    let corner = |k: usize| matches!(piece(k), Some(ChunkPiece::Np(np)) if matches!(np.kind, NounKind::Place(Place::Corner | Place::Wall | Place::Middle)));
+    matches!(piece(i + 1), Some(ChunkPiece::Verb(Verb::Be)))
+        && matches!(piece(i + 2), Some(ChunkPiece::Rel(Rel::In | Rel::At | Rel::Against)))
         && corner(i + 3)
 }
 
@@ -144,7 +149,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
     let mut weak: Vec<(usize, String)> = Vec::new();
     let listed = listed(chunks, tokens);
     for (i, chunk) in chunks.iter().enumerate() {
-        let Some(np) = chunk.np().filter(|n| n.kind == Kind::Room) else { continue };
+        let Some(np) = chunk.np().filter(|n| n.kind == NounKind::Room) else { continue };
         if let Some((_, count, noun)) = listed.hyphened.as_ref().filter(|(at, ..)| *at == i) {
             hyphened(&mut out, chunks, tokens, (i, *count, noun));
             continue;
@@ -159,7 +164,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         if np.name() == "home" && np.det == Det::None && matches!(before, "at" | "from" | "feel") {
             continue;
         }
-        let source = Source::Stated(bytes(chunk));
+        let source = ThingOrigin::Stated(bytes(chunk));
         let count = np.count.filter(|n| (2..=MOST).contains(n)).unwrap_or(1);
         if listed.container == Some(i) && out.whole.is_none() {
             let whole = out.add(Room { name: np.name(), source, ..Room::default() }, Several::default());
@@ -187,7 +192,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         // "the beer cellar, a vaulted room of 12 by 7 m": the same.
         if i >= 2
             && np.det == Det::Indefinite
-            && chunks[i - 1].piece == Piece::Comma
+            && chunks[i - 1].piece == ChunkPiece::Comma
             && let Some(room) = out.spoken.get(&(i - 2)).copied()
         {
             out.spoken.insert(i, room);
@@ -224,7 +229,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
         let either = np.group.is_some();
         let said = strong(chunks, i, out.rooms.is_empty() && !either) && (!either || titled(chunks, i));
         if out.rooms.len() < MOST && (said || is_all(chunks, i)) {
-            let room = Room { name: name_of(np), source: Source::Stated(bytes(chunk)), ..Room::default() };
+            let room = Room { name: name_of(np), source: ThingOrigin::Stated(bytes(chunk)), ..Room::default() };
             let room = out.add(room, Several { count, ..Several::default() });
             out.spoken.insert(i, room);
         } else if !either {
@@ -250,7 +255,7 @@ fn hyphened(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], (i, count, noun
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
     let whole = Room {
         name: chunks[i + 1].np().map_or_else(String::new, Np::name),
-        source: Source::Stated(bytes(&chunks[i + 1])),
+        source: ThingOrigin::Stated(bytes(&chunks[i + 1])),
         ..Room::default()
     };
     let whole = out.add(whole, Several::default());
@@ -268,7 +273,7 @@ fn settle(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], loose: Vec<(usize
             loose.iter().find(|(_, n)| n != "room" && n != "space" && n != "place").or(loose.first()).or(weak.first());
         let room = match pick {
             Some((i, name)) => {
-                Room { name: name.clone(), source: Source::Stated(bytes(&chunks[*i])), ..Room::default() }
+                Room { name: name.clone(), source: ThingOrigin::Stated(bytes(&chunks[*i])), ..Room::default() }
             }
             None => Room { name: "room".into(), ..Room::default() },
         };
@@ -288,7 +293,7 @@ fn settle(out: &mut Rooms, chunks: &[Chunk], tokens: &[Token], loose: Vec<(usize
     // "the room", "the flat": the room last spoken of. "The big room", "the other room", of two: one of them.
     for (i, _) in loose {
         // "You get there from the hall. The room …": not the hall.
-        let left = |k: usize| k > 0 && chunks[k - 1].piece == Piece::Rel(Rel::From);
+        let left = |k: usize| k > 0 && chunks[k - 1].piece == ChunkPiece::Rel(Rel::From);
         let last = out.spoken.range(..i).rev().find(|(k, _)| !left(**k)).map_or(0, |(_, r)| *r);
         let whole = chunks[i].np().filter(|np| is_home(&np.name())).and(out.whole);
         let told = of_two(&chunks[i], tokens, last);
@@ -309,7 +314,7 @@ fn name_of(np: &Np) -> String {
 
 /// "two-bedroom": two of them. Of rooms in general ("a four-room flat") one is the living room, and the others are bedrooms.
 fn of_so_many(out: &mut Rooms, count: usize, noun: &str, at: Range<usize>) {
-    let source = Source::Stated(at);
+    let source = ThingOrigin::Stated(at);
     let mut add = |name: &str, count: usize| {
         let room = Room { name: name.to_owned(), source: source.clone(), ..Room::default() };
         out.add(room, Several { count, ..Several::default() });
@@ -330,7 +335,7 @@ pub fn fewer(chunks: &[Chunk], tokens: &[Token], rooms: &[Room]) -> Vec<(Range<u
     let kind = |name: &str| lexicon.room(name).map(|kind| &kind.name);
     let mut out = Vec::new();
     for chunk in chunks {
-        let Some(np) = chunk.np().filter(|np| np.kind == Kind::Room) else { continue };
+        let Some(np) = chunk.np().filter(|np| np.kind == NounKind::Room) else { continue };
         let hyphened = hyphen(np).filter(|(_, noun)| noun != "room");
         let Some((wanted, noun)) = hyphened.or_else(|| Some((np.count?, np.words.last()?.clone()))) else { continue };
         let Some(kind_wanted) = kind(&noun).filter(|_| noun != "room") else { continue };
@@ -355,46 +360,51 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
     let before = i.checked_sub(1).and_then(piece);
     let before2 = i.checked_sub(2).and_then(piece);
     let after = piece(i + 1);
-    let start = matches!(before, None | Some(Piece::Stop | Piece::Line | Piece::Bullet | Piece::Colon));
-    let beside = matches!(before, Some(Piece::Rel(r)) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::Between));
-    let to = matches!(before, Some(Piece::Rel(Rel::To | Rel::In | Rel::From)));
-    let led = to && matches!(before2, Some(Piece::Verb(Verb::Lead))) || matches!(before, Some(Piece::Verb(Verb::Lead)));
+    let start =
+        matches!(before, None | Some(ChunkPiece::Stop | ChunkPiece::Line | ChunkPiece::Bullet | ChunkPiece::Colon));
+    let beside = matches!(before, Some(ChunkPiece::Rel(r)) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::Between));
+    let to = matches!(before, Some(ChunkPiece::Rel(Rel::To | Rel::In | Rel::From)));
+    let led = to && matches!(before2, Some(ChunkPiece::Verb(Verb::Lead)))
+        || matches!(before, Some(ChunkPiece::Verb(Verb::Lead)));
     let sized = sized(chunks, i);
     let heading = start
         && matches!(
             after,
             Some(
-                Piece::Colon
-                    | Piece::Stop
-                    | Piece::Line
-                    | Piece::Open
-                    | Piece::Measure(_)
-                    | Piece::Comma
-                    | Piece::Attr(_)
+                ChunkPiece::Colon
+                    | ChunkPiece::Stop
+                    | ChunkPiece::Line
+                    | ChunkPiece::Open
+                    | ChunkPiece::Measure(_)
+                    | ChunkPiece::Comma
+                    | ChunkPiece::Attr(_)
             ) | None
         );
     // "Evacuation plan, gymnasium: …": a title before the room.
-    let title = matches!(after, Some(Piece::Comma))
-        && matches!(piece(i + 2), Some(Piece::Np(np)) if np.kind == Kind::Room)
-        && matches!(piece(i + 3), Some(Piece::Colon | Piece::Measure(_)));
+    let title = matches!(after, Some(ChunkPiece::Comma))
+        && matches!(piece(i + 2), Some(ChunkPiece::Np(np)) if np.kind == NounKind::Room)
+        && matches!(piece(i + 3), Some(ChunkPiece::Colon | ChunkPiece::Measure(_)));
     if title {
         return false;
     }
     if placed(chunks, i) {
         return false;
     }
-    let subject = start && matches!(after, Some(Piece::Verb(_) | Piece::Which));
-    let opens = start_of_clause(chunks, i) && matches!(before, Some(Piece::Rel(Rel::In)));
-    let joined = matches!(before, Some(Piece::And | Piece::Comma))
-        && before2.is_some_and(|p| matches!(p, Piece::Np(np) if np.kind == Kind::Room))
-        || matches!(before, Some(Piece::And))
-            && chunks[..i].iter().rev().take(8).any(|c| c.np().is_some_and(|n| n.kind == Kind::Room))
-            && matches!(after, Some(Piece::Stop | Piece::Line | Piece::Comma | Piece::Colon) | None)
+    let subject = start && matches!(after, Some(ChunkPiece::Verb(_) | ChunkPiece::Which));
+    let opens = start_of_clause(chunks, i) && matches!(before, Some(ChunkPiece::Rel(Rel::In)));
+    let joined = matches!(before, Some(ChunkPiece::And | ChunkPiece::Comma))
+        && before2.is_some_and(|p| matches!(p, ChunkPiece::Np(np) if np.kind == NounKind::Room))
+        || matches!(before, Some(ChunkPiece::And))
+            && chunks[..i].iter().rev().take(8).any(|c| c.np().is_some_and(|n| n.kind == NounKind::Room))
+            && matches!(
+                after,
+                Some(ChunkPiece::Stop | ChunkPiece::Line | ChunkPiece::Comma | ChunkPiece::Colon) | None
+            )
             && chunks[..i]
                 .iter()
                 .rev()
-                .take_while(|c| !matches!(c.piece, Piece::Stop | Piece::Line))
-                .all(|c| !matches!(c.np(), Some(n) if n.kind == Kind::Thing));
+                .take_while(|c| !matches!(c.piece, ChunkPiece::Stop | ChunkPiece::Line))
+                .all(|c| !matches!(c.np(), Some(n) if n.kind == NounKind::Thing));
     sized || led || heading || subject || opens || joined || first && !beside && !to
 }
 
@@ -402,9 +412,9 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
 fn sized(chunks: &[Chunk], i: usize) -> bool {
     let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
     match piece(i + 1) {
-        Some(Piece::Measure(m)) => m.values.len() > 1 || m.area,
-        Some(Piece::Open | Piece::Comma | Piece::Verb(Verb::Be) | Piece::Rel(Rel::Of)) => {
-            matches!(piece(i + 2), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty())
+        Some(ChunkPiece::Measure(m)) => m.values.len() > 1 || m.area,
+        Some(ChunkPiece::Open | ChunkPiece::Comma | ChunkPiece::Verb(Verb::Be) | ChunkPiece::Rel(Rel::Of)) => {
+            matches!(piece(i + 2), Some(ChunkPiece::Measure(m)) if m.values.len() > 1 || m.area || !m.dims.is_empty())
         }
         _ => false,
     }
@@ -412,23 +422,29 @@ fn sized(chunks: &[Chunk], i: usize) -> bool {
 
 /// "A cosy bar.": nothing else is asked for.
 fn is_all(chunks: &[Chunk], i: usize) -> bool {
-    let rest = |k: usize, c: &Chunk| k == i || matches!(c.piece, Piece::Stop | Piece::Line);
+    let rest = |k: usize, c: &Chunk| k == i || matches!(c.piece, ChunkPiece::Stop | ChunkPiece::Line);
     chunks.iter().enumerate().all(|(k, c)| rest(k, c))
 }
 
 /// Whether a word that may be a thing is said as a room: "Pantry: …", "a pantry of 3 by 2 m", "leads to the pantry".
 fn titled(chunks: &[Chunk], i: usize) -> bool {
     let piece = |k: usize| chunks.get(k).map(|c| &c.piece);
-    let sized = |k: usize| matches!(piece(k), Some(Piece::Measure(m)) if m.values.len() > 1 || m.area);
-    let bullet = i.checked_sub(1).and_then(piece) == Some(&Piece::Bullet);
+    let sized = |k: usize| matches!(piece(k), Some(ChunkPiece::Measure(m)) if m.values.len() > 1 || m.area);
+    let bullet = i.checked_sub(1).and_then(piece) == Some(&ChunkPiece::Bullet);
     sized(i + 1)
         || sized(i + 2)
-        || !bullet && matches!(piece(i + 1), Some(Piece::Colon | Piece::Line))
-        || !bullet && matches!(piece(i + 1), Some(Piece::Stop)) && !matches!(piece(i + 2), None | Some(Piece::Line))
-        || (i.saturating_sub(3)..i).any(|k| matches!(piece(k), Some(Piece::Verb(Verb::Lead))))
+        || !bullet && matches!(piece(i + 1), Some(ChunkPiece::Colon | ChunkPiece::Line))
+        || !bullet
+            && matches!(piece(i + 1), Some(ChunkPiece::Stop))
+            && !matches!(piece(i + 2), None | Some(ChunkPiece::Line))
+        || (i.saturating_sub(3)..i).any(|k| matches!(piece(k), Some(ChunkPiece::Verb(Verb::Lead))))
 }
 
 /// "In the kitchen, …": the relation before it begins a clause.
 fn start_of_clause(chunks: &[Chunk], i: usize) -> bool {
-    i < 2 || matches!(chunks[i - 2].piece, Piece::Stop | Piece::Line | Piece::Bullet | Piece::Comma | Piece::Colon)
+    i < 2
+        || matches!(
+            chunks[i - 2].piece,
+            ChunkPiece::Stop | ChunkPiece::Line | ChunkPiece::Bullet | ChunkPiece::Comma | ChunkPiece::Colon
+        )
 }

@@ -2,13 +2,13 @@
 //! the living room". While a request is read, two bedrooms are one room; [`expand`] makes two of it, each with what is said
 //! of both.
 
-use super::chunk::{Chunk, Piece};
+use super::chunk::{Chunk, ChunkPiece};
 use super::lexicon::{Verb, get};
-use super::noun::{Det, Kind, Np};
+use super::noun::{Det, NounKind, Np};
 use super::number::small;
 use super::rooms::Rooms;
 use super::token::Token;
-use crate::brief::{Brief, Group, Look, MOST_THINGS, Number, Rel, Room, Source, Thing};
+use crate::brief::{Brief, Group, Look, MOST_THINGS, Number, Rel, Room, Thing, ThingOrigin};
 use crate::text::sentence;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -62,7 +62,7 @@ pub fn is_home(name: &str) -> bool {
 }
 
 fn room(chunk: &Chunk) -> Option<&Np> {
-    chunk.np().filter(|np| np.kind == Kind::Room)
+    chunk.np().filter(|np| np.kind == NounKind::Room)
 }
 
 /// The number and the noun of "two-bedroom".
@@ -78,7 +78,7 @@ pub fn listed(chunks: &[Chunk], tokens: &[Token]) -> Listed {
     let mut out = Listed::default();
     let mut from = 0;
     while from < chunks.len() {
-        let ends = |c: &Chunk| matches!(c.piece, Piece::Stop | Piece::Line);
+        let ends = |c: &Chunk| matches!(c.piece, ChunkPiece::Stop | ChunkPiece::Line);
         let end = chunks[from..].iter().position(ends).map_or(chunks.len(), |n| from + n);
         sentence_of(chunks, tokens, from..end, &mut out);
         from = end + 1;
@@ -87,7 +87,7 @@ pub fn listed(chunks: &[Chunk], tokens: &[Token]) -> Listed {
 }
 
 fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut Listed) {
-    let first_np = at.clone().find(|i| chunks[*i].np().is_some_and(|np| np.kind != Kind::Pronoun));
+    let first_np = at.clone().find(|i| chunks[*i].np().is_some_and(|np| np.kind != NounKind::Pronoun));
     let Some(mut head) = first_np.filter(|i| room(&chunks[*i]).is_some()) else { return };
     if let (Some((count, noun)), Some(next)) =
         (room(&chunks[head]).and_then(hyphen), chunks.get(head + 1).and_then(room))
@@ -104,9 +104,9 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
         out.container = Some(head);
     }
     let container_name = np.name();
-    let has = |c: &Chunk| matches!(c.piece, Piece::With | Piece::Verb(Verb::Have) | Piece::Colon);
+    let has = |c: &Chunk| matches!(c.piece, ChunkPiece::With | ChunkPiece::Verb(Verb::Have) | ChunkPiece::Colon);
     let Some(with) = (head + 1..at.end).find(|i| has(&chunks[*i])) else { return };
-    if (head + 1..with).any(|i| matches!(chunks[i].np(), Some(np) if np.kind == Kind::Thing)) {
+    if (head + 1..with).any(|i| matches!(chunks[i].np(), Some(np) if np.kind == NounKind::Thing)) {
         return;
     }
     let mut last = head;
@@ -116,7 +116,12 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
         let opens = |c: &Chunk| {
             matches!(
                 c.piece,
-                Piece::With | Piece::And | Piece::Comma | Piece::Colon | Piece::Verb(_) | Piece::Word(false)
+                ChunkPiece::With
+                    | ChunkPiece::And
+                    | ChunkPiece::Comma
+                    | ChunkPiece::Colon
+                    | ChunkPiece::Verb(_)
+                    | ChunkPiece::Word(false)
             )
         };
         if !opens(&chunks[i - 1])
@@ -175,7 +180,8 @@ fn is_furniture(room: &str, noun: &str) -> bool {
 fn owned(chunks: &[Chunk], tokens: &[Token], i: usize) -> bool {
     let is_own = |at: Range<usize>| tokens[at].iter().any(|token| OWN.iter().any(|own| token.is(own)));
     let mut k = i;
-    while k > 0 && !matches!(chunks[k].piece, Piece::Comma | Piece::And | Piece::Stop | Piece::Line) {
+    while k > 0 && !matches!(chunks[k].piece, ChunkPiece::Comma | ChunkPiece::And | ChunkPiece::Stop | ChunkPiece::Line)
+    {
         if is_own(chunks[k].at.clone()) {
             return true;
         }
@@ -206,8 +212,8 @@ pub fn connect(brief: &mut Brief, chunks: &[Chunk], tokens: &[Token], found: &Ro
     let mut said = Vec::new();
     for i in 0..chunks.len() {
         // "a door between the kitchen and the hall"
-        if matches!(piece(i), Some(Piece::Rel(Rel::Between)))
-            && matches!(piece(i + 2), Some(Piece::And))
+        if matches!(piece(i), Some(ChunkPiece::Rel(Rel::Between)))
+            && matches!(piece(i + 2), Some(ChunkPiece::And))
             && let (Some(a), Some(b)) = (spoken(i + 1), spoken(i + 3))
             && let Some(door) =
                 i.checked_sub(1).filter(|k| chunks[*k].np().is_some_and(|np| np.group == Some(Group::Door)))
@@ -215,10 +221,12 @@ pub fn connect(brief: &mut Brief, chunks: &[Chunk], tokens: &[Token], found: &Ro
             said.push((a, b, door..i + 4));
         }
         // "the kitchen opens into the living room"
-        let Some(a) = spoken(i).filter(|_| matches!(piece(i + 1), Some(Piece::Verb(Verb::Lead)))) else { continue };
+        let Some(a) = spoken(i).filter(|_| matches!(piece(i + 1), Some(ChunkPiece::Verb(Verb::Lead)))) else {
+            continue;
+        };
         let to = (i + 2..i + 5).find(|k| chunks.get(*k).is_some_and(|c| room(c).is_some()));
         let Some((to, b)) = to.and_then(|k| Some((k, spoken(k)?))) else { continue };
-        if (i + 2..to).all(|k| matches!(piece(k), Some(Piece::Rel(_) | Piece::Word(_)))) {
+        if (i + 2..to).all(|k| matches!(piece(k), Some(ChunkPiece::Rel(_) | ChunkPiece::Word(_)))) {
             said.push((a, b, i..to + 1));
         }
     }
@@ -242,13 +250,13 @@ pub fn connect(brief: &mut Brief, chunks: &[Chunk], tokens: &[Token], found: &Ro
         });
         match own {
             Some(door) => (door.room, door.beyond) = (a, Some(b)),
-            None => brief.things.push(door(a, b, Source::Stated(bytes))),
+            None => brief.things.push(door(a, b, ThingOrigin::Stated(bytes))),
         }
     }
     used
 }
 
-fn door(room: usize, beyond: usize, source: Source) -> Thing {
+fn door(room: usize, beyond: usize, source: ThingOrigin) -> Thing {
     Thing {
         words: vec!["door".into()],
         last: 1,

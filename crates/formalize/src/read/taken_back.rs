@@ -4,7 +4,7 @@
 use super::lexicon::{get, singular};
 use super::number::count;
 use super::paraphrase::{ends, put, word};
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 
 /// Turns what begins at a token, or ends there; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
@@ -15,7 +15,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// Where the clause begins that this token is in.
 fn begin(tokens: &[Token], i: usize) -> usize {
-    tokens[..i].iter().rposition(|t| !t.word() && !matches!(t.kind, Kind::Number(_))).map_or(0, |k| k + 1)
+    tokens[..i].iter().rposition(|t| !t.word() && !matches!(t.kind, WordKind::Number(_))).map_or(0, |k| k + 1)
 }
 
 /// The words of a clause up to a verb, if they can be things that nobody has spoken of: "wooden pallets".
@@ -58,8 +58,9 @@ fn not_to_be(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// not the window".
 fn not_the(tokens: &mut Vec<Token>, i: usize) -> bool {
     const MOST: usize = 4;
-    let starts =
-        i.checked_sub(1).is_none_or(|k| matches!(tokens[k].kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';')));
+    let starts = i
+        .checked_sub(1)
+        .is_none_or(|k| matches!(tokens[k].kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';')));
     if !starts || word(tokens, i) != "not" || !matches!(word(tokens, i + 1), "the" | "those" | "these") {
         return false;
     }
@@ -103,7 +104,7 @@ fn instead(tokens: &mut Vec<Token>, i: usize) -> bool {
         pronoun || tokens.get(*k).is_some_and(|t| t.is(","))
     };
     let Some(end) = (first + 1..first + MOST).find(goes_on).filter(|_| begins) else { return false };
-    let stop = Token { kind: Kind::Sign(';'), text: ";".to_owned(), ..tokens[end - 1].clone() };
+    let stop = Token { kind: WordKind::Sign(';'), text: ";".to_owned(), ..tokens[end - 1].clone() };
     if tokens[end].is(",") {
         tokens[end] = stop;
     } else {
@@ -181,7 +182,7 @@ fn ordinal(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// Puts "no" before a token.
 fn no(tokens: &mut Vec<Token>, at: usize) {
     if let Some(first) = tokens.get(at).cloned() {
-        tokens.insert(at, Token { kind: Kind::Word, text: "no".to_owned(), owner: false, capital: false, ..first });
+        tokens.insert(at, Token { kind: WordKind::Word, text: "no".to_owned(), owner: false, capital: false, ..first });
     }
 }
 

@@ -1,7 +1,7 @@
 //! Requests that are conversations: "User: … Assistant: … User: …". What the other side says asks for nothing, unless it
 //! proposes something and the answer is "yes".
 
-use super::token::{Kind, Token};
+use super::token::{Token, WordKind};
 use crate::brief::Note;
 
 /// Who asks.
@@ -37,7 +37,7 @@ const PROPOSES: [&[&str]; 20] = [
 ];
 
 fn ends_sentence(t: &Token) -> bool {
-    matches!(t.kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';'))
+    matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'))
 }
 
 /// What is proposed in the last question of an answer; nothing if it leaves a choice.
@@ -63,7 +63,9 @@ type Turn = (usize, bool);
 fn known(tokens: &[Token]) -> Vec<Turn> {
     let label = |i: usize| {
         let fresh = match i.checked_sub(1).map(|k| tokens[k].kind) {
-            None | Some(Kind::Line | Kind::Bullet | Kind::Sign('.' | '!' | '?' | ';' | '"' | '…')) => true,
+            None | Some(WordKind::Line | WordKind::Bullet | WordKind::Sign('.' | '!' | '?' | ';' | '"' | '…')) => {
+                true
+            }
             Some(_) => false,
         };
         let colon = tokens.get(i + 1).is_some_and(|t| t.is(":"));
@@ -82,7 +84,7 @@ fn known(tokens: &[Token]) -> Vec<Turn> {
 fn others(tokens: &[Token]) -> Vec<Turn> {
     const LEAST: usize = 4;
     let label = |i: &usize| {
-        let fresh = i.checked_sub(1).is_none_or(|k| tokens[k].kind == Kind::Line);
+        let fresh = i.checked_sub(1).is_none_or(|k| tokens[k].kind == WordKind::Line);
         fresh && tokens[*i].word() && tokens.get(i + 1).is_some_and(|t| t.is(":"))
     };
     let at: Vec<usize> = (0..tokens.len()).filter(label).collect();
@@ -129,7 +131,7 @@ fn room(said: &[Token]) -> Option<&[Token]> {
 /// between them? A table.": between them is a table.
 fn topic(said: &[Token], answer: &[Token]) -> Option<(Vec<Token>, usize)> {
     let end = said.len().checked_sub(1).filter(|k| said[*k].is("?"))?;
-    let ends = |t: &Token| matches!(t.kind, Kind::Line | Kind::Sign('.' | '!' | '?' | ';' | ',' | ':'));
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';' | ',' | ':'));
     let from = said[..end].iter().rposition(ends).map_or(0, |k| k + 1);
     let lead = said[from..end].iter().take_while(|t| matches!(t.text.as_str(), "and" | "so" | "then")).count();
     let question = &said[from + lead..end];
@@ -138,7 +140,7 @@ fn topic(said: &[Token], answer: &[Token]) -> Option<(Vec<Token>, usize)> {
     if rest.is_empty() {
         return None;
     }
-    let is = Token { kind: Kind::Word, text: "is".to_owned(), ..verb.clone() };
+    let is = Token { kind: WordKind::Word, text: "is".to_owned(), ..verb.clone() };
     match (first.text.as_str(), verb.text.as_str()) {
         ("where", "is" | "are" | "does" | "do" | "should" | "shall" | "will") => {
             let pronoun = matches!(answer.first()?.text.as_str(), "it" | "they" | "that" | "those" | "these");
@@ -180,7 +182,7 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
         &tokens[(labels[n].0 + 2).min(end)..end]
     };
     for (n, &(at, answers)) in labels.iter().enumerate() {
-        let line = Token { kind: Kind::Line, text: "\n".to_owned(), ..tokens[at].clone() };
+        let line = Token { kind: WordKind::Line, text: "\n".to_owned(), ..tokens[at].clone() };
         kept.push(line.clone());
         let said = said_in(n);
         // "Yes, please, and …": the rest of the answer is read.
@@ -195,7 +197,7 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
             let asked = n.checked_sub(1).filter(|before| labels[*before].1);
             let mut begins = if asked.is_some() { yes } else { 0 };
             let asked = asked.map_or(&said[..0], said_in);
-            let body = asked.iter().rposition(|t| t.kind != Kind::Line).map_or(0, |k| k + 1);
+            let body = asked.iter().rposition(|t| t.kind != WordKind::Line).map_or(0, |k| k + 1);
             if let Some((topic, instead)) = topic(&asked[..body], &said[begins..]) {
                 kept.extend(topic);
                 begins += instead;
@@ -207,12 +209,12 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
         let mut reason = "this is a reply in a conversation and requests nothing";
         if let Some(room) = room(said).filter(|_| proposed.is_none()) {
             kept.extend_from_slice(room);
-            kept.push(Token { kind: Kind::Sign(':'), text: ":".to_owned(), ..room[room.len() - 1].clone() });
+            kept.push(Token { kind: WordKind::Sign(':'), text: ":".to_owned(), ..room[room.len() - 1].clone() });
             kept.push(line);
         }
         if let Some((from, asked)) = proposed {
             kept.extend_from_slice(asked);
-            kept.push(Token { kind: Kind::Sign('.'), text: ".".to_owned(), ..last.clone() });
+            kept.push(Token { kind: WordKind::Sign('.'), text: ".".to_owned(), ..last.clone() });
             let Some(before) = from.checked_sub(1) else { continue };
             at = first.at.start..said[before].at.end;
         } else if taken {
@@ -248,7 +250,8 @@ mod tests {
         ] {
             let mut tokens = tokens(text, 100).0;
             assert_eq!(turns(&mut tokens).len(), notes, "{text}");
-            let words: Vec<&str> = tokens.iter().filter(|t| t.kind != Kind::Line).map(|t| t.text.as_str()).collect();
+            let words: Vec<&str> =
+                tokens.iter().filter(|t| t.kind != WordKind::Line).map(|t| t.text.as_str()).collect();
             assert_eq!(words.join(" "), left, "{text}");
         }
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum WordKind {
     /// Letters, hyphens, apostrophes.
     Word,
     /// Written in digits.
@@ -21,7 +21,7 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Token {
     /// What it is.
-    pub kind: Kind,
+    pub kind: WordKind,
     /// In lower case; a possessive `'s` is left out.
     pub text: String,
     /// Bytes of the request.
@@ -40,7 +40,7 @@ impl Token {
 
     /// Whether it is a word.
     pub fn word(&self) -> bool {
-        self.kind == Kind::Word
+        self.kind == WordKind::Word
     }
 }
 
@@ -59,7 +59,7 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
         if rest.starts_with("w/") && out.last().is_none_or(|t| t.at.end != at) {
             let len = if rest.starts_with("w/o") { 3 } else { 2 };
             let text = if len == 3 { "without" } else { "with" };
-            out.push(Token { kind: Kind::Word, text: text.into(), at: at..at + len, owner: false, capital: false });
+            out.push(Token { kind: WordKind::Word, text: text.into(), at: at..at + len, owner: false, capital: false });
             at += len;
             continue;
         }
@@ -67,21 +67,21 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
         if c == '.'
             && out.last().is_some_and(|t| t.at.end == at && ABBREVIATED.contains(&t.text.as_str()))
             && (!out.last().is_some_and(|t| t.is("no"))
-                || out.iter().rev().nth(1).is_some_and(|t| matches!(t.kind, Kind::Number(_))))
+                || out.iter().rev().nth(1).is_some_and(|t| matches!(t.kind, WordKind::Number(_))))
             && !rest[1..].trim_start_matches([' ', '\t']).starts_with(|n: char| n.is_uppercase() || n == '\n')
             && rest.len() > 1
         {
             at += 1;
             continue;
         }
-        let fresh = out.last().is_none_or(|t| t.kind == Kind::Line);
+        let fresh = out.last().is_none_or(|t| t.kind == WordKind::Line);
         let (len, found) = if c == '\n' || c == '\r' {
-            (1, if fresh { None } else { Some((Kind::Line, "\n".to_owned(), false)) })
+            (1, if fresh { None } else { Some((WordKind::Line, "\n".to_owned(), false)) })
         } else if c.is_whitespace() {
             (c.len_utf8(), None)
         } else if fresh && let Some(len) = bullet(rest) {
             let number = if rest.starts_with(|c: char| c.is_ascii_digit()) { &rest[..len] } else { "" };
-            (len, Some((Kind::Bullet, number.to_owned(), false)))
+            (len, Some((WordKind::Bullet, number.to_owned(), false)))
         } else if c.is_ascii_digit() || (c == '.' && rest[1..].starts_with(|d: char| d.is_ascii_digit())) {
             let (len, value) = number(rest);
             // "3D", "4K": a word.
@@ -89,14 +89,14 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
             let lower = letters.to_lowercase();
             let unit = super::number::unit(&lower).is_some() || lower.starts_with('x') || lower.starts_with("sq");
             if letters.is_empty() || unit || letters.len() > 2 || letters.chars().any(char::is_lowercase) {
-                (len, Some((Kind::Number(value), rest[..len].to_owned(), false)))
+                (len, Some((WordKind::Number(value), rest[..len].to_owned(), false)))
             } else {
                 let all = len + letters.len();
-                (all, Some((Kind::Word, rest[..all].to_lowercase(), false)))
+                (all, Some((WordKind::Word, rest[..all].to_lowercase(), false)))
             }
         } else if c.is_alphabetic() {
             let (len, text, owner) = word(rest);
-            (len, Some((Kind::Word, text, owner)))
+            (len, Some((WordKind::Word, text, owner)))
         } else {
             let sign = match c {
                 '×' => 'x',
@@ -105,7 +105,7 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
                 '–' | '—' => '—',
                 c => c,
             };
-            (c.len_utf8(), Some((Kind::Sign(sign), sign.to_string(), false)))
+            (c.len_utf8(), Some((WordKind::Sign(sign), sign.to_string(), false)))
         };
         if let Some((kind, text, owner)) = found {
             out.push(Token { kind, text, at: at..at + len, owner, capital: c.is_uppercase() });
@@ -218,7 +218,7 @@ fn contracted(word: Token) -> Vec<Token> {
         _ => return vec![word],
     };
     let end = (word.at.start + pronoun.len()).min(word.at.end);
-    let part = |text: &str, at| Token { kind: Kind::Word, text: text.to_owned(), at, ..word.clone() };
+    let part = |text: &str, at| Token { kind: WordKind::Word, text: text.to_owned(), at, ..word.clone() };
     vec![part(pronoun, word.at.start..end), part(whole, end..word.at.end)]
 }
 
@@ -234,7 +234,7 @@ fn unit_and_side(word: Token) -> Vec<Token> {
     }
     let end = word.text.rfind('-').unwrap_or(0);
     let part = |from: usize, to: usize| Token {
-        kind: Kind::Word,
+        kind: WordKind::Word,
         text: word.text[from..to].to_owned(),
         at: word.at.start + from..word.at.start + to,
         ..word.clone()
@@ -247,8 +247,8 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
     let mut out: Vec<Token> = Vec::with_capacity(tokens.len());
     let mut tokens = tokens.into_iter().flat_map(contracted).flat_map(unit_and_side).peekable();
     while let Some(t) = tokens.next() {
-        let number_before = out.last().is_some_and(|b| matches!(b.kind, Kind::Number(_)) && b.at.end == t.at.start);
-        if t.kind == Kind::Sign('-')
+        let number_before = out.last().is_some_and(|b| matches!(b.kind, WordKind::Number(_)) && b.at.end == t.at.start);
+        if t.kind == WordKind::Sign('-')
             && number_before
             && tokens.peek().is_some_and(|n| n.word() && n.at.start == t.at.end)
         {
@@ -259,13 +259,13 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
                 && let Some(rest) = tokens.next()
             {
                 let text = format!("{}-{}", number.text, rest.text);
-                out.push(Token { kind: Kind::Word, text, at: number.at.start..rest.at.end, ..rest });
+                out.push(Token { kind: WordKind::Word, text, at: number.at.start..rest.at.end, ..rest });
             }
             continue;
         }
         // "5x4", "6x4m": the sign between two sizes, not a letter of a word.
         if t.word() && number_before && t.text == "x" {
-            out.push(Token { kind: Kind::Sign('x'), ..t });
+            out.push(Token { kind: WordKind::Sign('x'), ..t });
             continue;
         }
         // "six-burner", "three-door": a look of one thing, and not so many of it.
@@ -279,7 +279,7 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
                 let cut = t.at.start + first.len();
                 // Lower case may be longer than what was written; then the word stays whole.
                 if cut + 1 + second.len() == t.at.end && !t.owner {
-                    let part = |text: &str, at| Token { kind: Kind::Word, text: text.to_owned(), at, ..t.clone() };
+                    let part = |text: &str, at| Token { kind: WordKind::Word, text: text.to_owned(), at, ..t.clone() };
                     out.push(part(first, t.at.start..cut));
                     out.push(part(second, cut + 1..t.at.end));
                 } else {

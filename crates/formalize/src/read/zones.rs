@@ -5,7 +5,7 @@ use super::lexicon::get;
 use super::number;
 use super::paraphrase::put;
 use super::token::{self, Token};
-use crate::furnish::kinds::{self, Kind};
+use crate::furnish::kinds::{self, FurnishingKind};
 use std::sync::OnceLock;
 
 /// What follows the name of an activity.
@@ -95,11 +95,11 @@ fn begin(tokens: &[Token], i: usize) -> Option<usize> {
     }
     let article = from.checked_sub(1).filter(|k| tokens[*k].is("a") || tokens[*k].is("an"))?;
     let before = tokens.get(article.checked_sub(1)?)?;
-    let listed = matches!(before.kind, token::Kind::Sign(',')) || LISTS.iter().any(|word| before.is(word));
+    let listed = matches!(before.kind, token::WordKind::Sign(',')) || LISTS.iter().any(|word| before.is(word));
     listed.then_some(article)
 }
 
-fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &Kind, from: usize, end: usize) {
+fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: usize, end: usize) {
     let next = tokens.get(end).map_or("", |t| t.text.as_str());
     if HAS.contains(&next) && tokens.get(end + 1).is_some_and(Token::word) {
         // "A reading corner with an armchair": the armchair.
@@ -114,7 +114,7 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &Kind, from: usize, end: 
 }
 
 /// The kind of the room that was named last, and where its name begins.
-fn kind(tokens: &[Token]) -> Option<(usize, &'static Kind)> {
+fn kind(tokens: &[Token]) -> Option<(usize, &'static FurnishingKind)> {
     (0..tokens.len()).rev().find_map(|last| {
         let from = |first: usize| tokens[first..=last].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
         let found = kinds::of(&from(last.saturating_sub(LONGEST - 1)))?;

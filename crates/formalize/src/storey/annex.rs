@@ -2,14 +2,14 @@
 
 use super::rows::Rect;
 use crate::arrange::WALL;
-use crate::furnish::kinds::{self, Place};
+use crate::furnish::kinds::{self, PlanPlace};
 
 /// It is hardly of use where it would be less wide (metres).
 const NARROW: f64 = 1.6;
 
 /// Whether such a room has open edges.
 pub fn is_outside(room: &str) -> bool {
-    kinds::of(room).is_some_and(|kind| kind.lines.iter().any(|line| line.place == Place::Edge))
+    kinds::of(room).is_some_and(|kind| kind.lines.iter().any(|line| line.place == PlanPlace::Edge))
 }
 
 /// A place for what is so wide and so deep along one of the outer walls of a room, as wide as possible and in the middle of

@@ -10,11 +10,11 @@ mod rows;
 mod search;
 
 use crate::arrange::arrange_rooms;
-use crate::brief::{Brief, Group, Look, Room as Asked};
-use crate::draft::{Draft, Opening, OpeningKind, Room, Source};
-use crate::furnish::kinds::{self, Kind};
+use crate::brief::{Brief, Group, Look, Room};
+use crate::draft::{Draft, DraftRoom, Opening, OpeningKind, ThingOrigin};
+use crate::furnish::kinds::{self, FurnishingKind};
 use crate::furnish::stand::{counts_as, group};
-use crate::names::Names;
+use crate::names::GivenNames;
 pub use annex::is_outside;
 use cost::{bounds, ways};
 use rows::{Cell, Rect};
@@ -37,7 +37,7 @@ const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 const WHY: &str = "the rooms must be connected";
 
 /// Places the rooms of a draft, and adds the doors between them that are missing.
-pub fn lay_out(draft: &mut Draft, brief: &Brief, names: &mut Names) {
+pub fn lay_out(draft: &mut Draft, brief: &Brief, names: &mut GivenNames) {
     if !planned(draft, brief, names) {
         chain(draft, names);
         arrange_rooms(draft);
@@ -105,13 +105,13 @@ fn joined(count: usize, links: &[(usize, usize)]) -> bool {
     with.iter().all(|with| *with)
 }
 
-fn planned(draft: &mut Draft, brief: &Brief, names: &mut Names) -> bool {
+fn planned(draft: &mut Draft, brief: &Brief, names: &mut GivenNames) -> bool {
     let count = draft.rooms.len();
     if !(2..=MOST).contains(&count) || draft.rooms.iter().any(|room| room.outline.is_some()) {
         return false;
     }
     let links = links(draft);
-    let said = |room: &Asked| room.size[0].is_some() || room.size[2].is_some() || room.area.is_some();
+    let said = |room: &Room| room.size[0].is_some() || room.size[2].is_some() || room.area.is_some();
     if links.iter().any(|(a, b)| *a >= count || *b >= count) || joined(count, &links) && brief.rooms.iter().any(said) {
         return false;
     }
@@ -211,7 +211,7 @@ fn rounded(metres: f64) -> f64 {
     (metres * 1e4).round() / 1e4
 }
 
-fn add_door(draft: &mut Draft, names: &mut Names, from: usize, to: usize) {
+fn add_door(draft: &mut Draft, names: &mut GivenNames, from: usize, to: usize) {
     let ceiling = draft.rooms[from].size[1].min(draft.rooms[to].size[1]);
     draft.openings.push(Opening {
         name: names.take("door"),
@@ -220,12 +220,12 @@ fn add_door(draft: &mut Draft, names: &mut Names, from: usize, to: usize) {
         rooms: vec![from, to],
         size: [DOOR[0], DOOR[1].min(ceiling - 0.1), DOOR[2]],
         look: Look::default(),
-        source: Source::Inferred(WHY.into()),
+        source: ThingOrigin::Inferred(WHY.into()),
     });
 }
 
 /// Rooms that no door joins to another get one to the room before them.
-fn chain(draft: &mut Draft, names: &mut Names) {
+fn chain(draft: &mut Draft, names: &mut GivenNames) {
     for room in 1..draft.rooms.len() {
         if !links(draft).iter().any(|(a, b)| *a == room || *b == room) {
             add_door(draft, names, room - 1, room);
@@ -283,9 +283,9 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
 /// asked for.
 fn at_home(
     draft: &Draft,
-    asked: &Asked,
+    asked: &Room,
     room: usize,
-    (kind, [area, most, side]): (&Kind, [f64; 3]),
+    (kind, [area, most, side]): (&FurnishingKind, [f64; 3]),
 ) -> ([f64; 2], f64) {
     let floor = |[w, _, d]: [f64; 3]| w * d;
     let usual = asked.usual.map_or(floor(kind.size), floor);
@@ -298,9 +298,9 @@ fn at_home(
     let more = draft.things.iter().filter(|thing| thing.room == Some(room) && thing.count == 1);
     let more = more.filter(|thing| matches!(group(&thing.category), Group::Table | Group::Storage));
     let more =
-        more.filter(|thing| matches!(thing.source, Source::Stated(_)) && !own(&thing.category.replace('_', " ")));
+        more.filter(|thing| matches!(thing.source, ThingOrigin::Stated(_)) && !own(&thing.category.replace('_', " ")));
     let more: f64 = more.filter_map(|thing| thing.size).map(|[w, _, d]| w * (d + USE)).sum();
-    let dines = |room: &Room| kinds::of(&room.kind).is_some_and(Kind::is_eaten_in);
+    let dines = |room: &DraftRoom| kinds::of(&room.kind).is_some_and(FurnishingKind::is_eaten_in);
     let eats = kind.eat.is_some() && !draft.rooms.iter().any(dines);
     let more = more + if eats { EATING } else { 0.0 };
     let area = (area * said).max(needed) + more;

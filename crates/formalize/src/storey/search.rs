@@ -15,7 +15,7 @@ const END: usize = 2;
 
 /// A plan and what is wrong with it.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct FoundPlan {
     /// Where each room is.
     pub rects: Vec<Rect>,
     /// How bad it is.
@@ -23,15 +23,15 @@ pub struct Found {
 }
 
 /// Looks for a plan.
-pub fn search(cells: &[Cell], hub: usize, links: &[(usize, usize)]) -> Option<Found> {
+pub fn search(cells: &[Cell], hub: usize, links: &[(usize, usize)]) -> Option<FoundPlan> {
     let rooms: Vec<usize> = (0..cells.len()).filter(|room| *room != hub).collect();
     let mut looked_at = 0;
-    let mut best: Option<Found> = None;
+    let mut best: Option<FoundPlan> = None;
     for start in 0..BEGUN {
         let mut order = begin(&rooms, cells, start);
         let mut found = judge(cells, hub, &order, links, &mut looked_at);
         loop {
-            let mut better: Option<(Order, Found)> = None;
+            let mut better: Option<(Order, FoundPlan)> = None;
             for next in neighbours(&order) {
                 let Some(now) = judge(cells, hub, &next, links, &mut looked_at) else { continue };
                 let known = better.as_ref().map(|(_, f)| f.cost).or(found.as_ref().map(|f| f.cost));
@@ -58,14 +58,20 @@ pub fn search(cells: &[Cell], hub: usize, links: &[(usize, usize)]) -> Option<Fo
 }
 
 /// The best plan of an order.
-fn judge(cells: &[Cell], hub: usize, order: &Order, links: &[(usize, usize)], looked_at: &mut usize) -> Option<Found> {
-    let mut best: Option<Found> = None;
+fn judge(
+    cells: &[Cell],
+    hub: usize,
+    order: &Order,
+    links: &[(usize, usize)],
+    looked_at: &mut usize,
+) -> Option<FoundPlan> {
+    let mut best: Option<FoundPlan> = None;
     for depth in TRIED {
         *looked_at += 1;
         let Some(rects) = place(cells, hub, order, depth) else { continue };
         let cost = cost(cells, &rects, hub, links);
         if best.as_ref().is_none_or(|best| cost < best.cost - 1e-9) {
-            best = Some(Found { rects, cost });
+            best = Some(FoundPlan { rects, cost });
         }
     }
     best

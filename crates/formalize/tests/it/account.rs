@@ -2,14 +2,14 @@
 //! clause and has no statement makes none.
 
 use proptest::prelude::*;
-use scenelang_formalize::draft::Source;
+use scenelang_formalize::draft::ThingOrigin;
 use scenelang_formalize::{Options, Reading, read};
 
 const LITERAL: Options = Options { literal: true };
 
 /// What the request demands by its own words: statements and things.
 fn stated(reading: &Reading) -> Vec<String> {
-    let own = |source: &Source| matches!(source, Source::Stated(_));
+    let own = |source: &ThingOrigin| matches!(source, ThingOrigin::Stated(_));
     let draft = &reading.draft;
     let things = draft.things.iter().filter(|t| own(&t.source)).map(|t| format!("object {}", t.name));
     things.chain(draft.statements.iter().filter(|s| own(&s.source)).map(|s| s.line())).collect()

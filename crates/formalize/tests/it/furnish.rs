@@ -1,7 +1,7 @@
 //! What is added to a request that says little: openings, light, what goes with a thing, the inventory of a kind of room. And
 //! what is not: what is asked for with its number, what is ruled out, anything with `--literal`.
 
-use scenelang_formalize::draft::{Draft, OpeningKind, Source};
+use scenelang_formalize::draft::{Draft, OpeningKind, ThingOrigin};
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, read};
 use scenelang_lang::{Options as Front, compile_text, nouns};
@@ -33,7 +33,7 @@ fn every_room_has_a_way_in_and_light_and_compiles() {
     for request in &all {
         let draft = draft(request);
         assert!(draft.openings.iter().any(|o| o.kind == OpeningKind::Door), "{request}: no door");
-        let light = |t: &scenelang_formalize::draft::Thing| {
+        let light = |t: &scenelang_formalize::draft::DraftThing| {
             ["light", "lamp", "panel", "chandelier", "spotlight"].iter().any(|l| t.category.ends_with(l))
         };
         assert!(draft.things.iter().any(light), "{request}: no light");
@@ -113,8 +113,8 @@ fn added_things_say_why() {
     for request in requests() {
         for thing in draft(&request).things {
             match thing.source {
-                Source::Stated(at) => assert!(!at.is_empty(), "{request}: {}", thing.name),
-                Source::Inferred(why) => assert!(why.len() > 5, "{request}: {}", thing.name),
+                ThingOrigin::Stated(at) => assert!(!at.is_empty(), "{request}: {}", thing.name),
+                ThingOrigin::Inferred(why) => assert!(why.len() > 5, "{request}: {}", thing.name),
             }
         }
     }
@@ -176,7 +176,7 @@ fn there_is_a_place_for_each_of_so_many_people() {
 fn literally_nothing_is_added() {
     for request in requests() {
         let draft = read(&request, &Options { literal: true }).draft;
-        assert!(draft.things.iter().all(|t| matches!(t.source, Source::Stated(_))), "{request}");
+        assert!(draft.things.iter().all(|t| matches!(t.source, ThingOrigin::Stated(_))), "{request}");
         // What the request itself speaks of stays, and so do the doors between its rooms.
         let said = request.contains("window") || draft.rooms.len() > 1;
         assert!(draft.openings.is_empty() || said, "{request}");

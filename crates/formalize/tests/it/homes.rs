@@ -1,7 +1,7 @@
 //! Homes of several rooms: as many rooms as are asked for, in a plan that people would build. What holds for every plan is tested
 //! on many requests made of the same few rooms.
 
-use scenelang_formalize::draft::{Draft, OpeningKind, Source};
+use scenelang_formalize::draft::{Draft, OpeningKind, ThingOrigin};
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, read};
 use scenelang_lang::{Options as Front, compile_text};
@@ -161,7 +161,7 @@ fn what_is_said_of_rooms_that_there_are_several_of_is_said_of_each() {
         let draft = draft(request);
         let in_room = |room: usize| {
             let own = draft.things.iter().filter(|t| t.room == Some(room) && t.category.ends_with(noun));
-            own.filter(|t| matches!(t.source, Source::Stated(_))).map(|t| t.count).sum()
+            own.filter(|t| matches!(t.source, ThingOrigin::Stated(_))).map(|t| t.count).sum()
         };
         (0..draft.rooms.len()).filter(|room| is(&draft, *room, &["bedroom"])).map(in_room).collect()
     };

@@ -3,10 +3,10 @@
 
 use crate::server::{Act, Asked, Server};
 use crate::support::complaints;
-use scenelang_formalize::draft::{Draft, OpeningKind, Source};
+use scenelang_formalize::draft::{Draft, OpeningKind, ThingOrigin};
 use scenelang_formalize::model::{Asking, PROMPTS, draft};
 use scenelang_formalize::{Formalized, with_model};
-use scenelang_llm::{Budget, Clock, Error, Limits, Model, Remote, Replay, Session, Target};
+use scenelang_llm::{Budget, Clock, Error, Limits, Model, ModelName, Remote, Replay, Session};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -61,7 +61,7 @@ fn server(script: Script) -> Server {
 }
 
 fn session(server: &Server, limits: Limits) -> Session {
-    let target = Target::new("compatible:m", Some(&server.url)).expect("it is a model");
+    let target = ModelName::new("compatible:m", Some(&server.url)).expect("it is a model");
     let model = Remote::new(target, None, Duration::from_secs(20), 1 << 20, || false).expect("it is reached");
     Session::new(Box::new(model), limits, Box::new(Quick)).expect("nothing is wrong with the limits")
 }
@@ -266,9 +266,9 @@ fn what_the_request_says_is_kept() {
     assert!(scenelang_formalize::arrange::is_arranged(&draft));
     let window = draft.openings.iter().find(|o| o.kind == OpeningKind::Window).expect("there is one");
     assert_eq!((draft.openings.len(), window.size[0]), (3, 1.4));
-    let words = |source: &Source| match source {
-        Source::Stated(at) => REQUEST[at.clone()].to_owned(),
-        Source::Inferred(reason) => format!("({reason})"),
+    let words = |source: &ThingOrigin| match source {
+        ThingOrigin::Stated(at) => REQUEST[at.clone()].to_owned(),
+        ThingOrigin::Inferred(reason) => format!("({reason})"),
     };
     assert_eq!(
         words(&draft.things[0].source).split(',').next(),

@@ -2,7 +2,7 @@
 
 use crate::support::complaints;
 use proptest::prelude::*;
-use scenelang_formalize::draft::{Draft, Source, Statement};
+use scenelang_formalize::draft::{Draft, Statement, ThingOrigin};
 use scenelang_formalize::read::BECAME_NOTHING;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, read};
@@ -16,11 +16,11 @@ const LITERAL: Options = Options { literal: true };
 /// What comes of a request, with nothing added: things with their numbers, and stated statements.
 fn literal(request: &str) -> (Vec<String>, Vec<String>) {
     let draft = read(request, &LITERAL).draft;
-    let things = draft.things.iter().filter(|t| matches!(t.source, Source::Stated(_)));
+    let things = draft.things.iter().filter(|t| matches!(t.source, ThingOrigin::Stated(_)));
     let things = things.map(|t| if t.count > 1 { format!("{} {}", t.count, t.name) } else { t.name.clone() });
-    let openings = draft.openings.iter().filter(|o| matches!(o.source, Source::Stated(_))).map(|o| o.name.clone());
+    let openings = draft.openings.iter().filter(|o| matches!(o.source, ThingOrigin::Stated(_))).map(|o| o.name.clone());
     let things = things.chain(openings).collect();
-    let stated = draft.statements.iter().filter(|s| matches!(s.source, Source::Stated(_)));
+    let stated = draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
     (things, stated.map(Statement::line).collect())
 }
 
@@ -158,10 +158,10 @@ fn what_is_not_understood_is_noted() {
 fn little_is_filled_up_unless_it_is_to_be_literal() {
     let full = read("A bedroom", &Options::default()).draft;
     assert!(full.things.iter().any(|t| t.category.contains("bed")));
-    assert!(full.things.iter().all(|t| matches!(&t.source, Source::Inferred(why) if !why.is_empty())));
+    assert!(full.things.iter().all(|t| matches!(&t.source, ThingOrigin::Inferred(why) if !why.is_empty())));
     assert!(read("A bedroom", &LITERAL).draft.things.is_empty());
     let said = read("A bedroom with a bed, a desk, a chair and a lamp", &Options::default()).draft;
-    let stated = said.things.iter().filter(|t| matches!(t.source, Source::Stated(_)));
+    let stated = said.things.iter().filter(|t| matches!(t.source, ThingOrigin::Stated(_)));
     assert_eq!(stated.map(|t| t.count).collect::<Vec<_>>(), [1, 1, 1, 1]);
     assert!(said.things.len() > 8, "{:?}", said.things);
     for noun in ["bed", "desk", "chair", "lamp"] {
@@ -243,7 +243,7 @@ fn only_what_the_request_says_may_contradict() {
     let draft = read("A kitchen with a rug in the middle against the wall.", &Options::default()).draft;
     assert_eq!(faults(&draft), Vec::<String>::new());
     let mut draft = read("A kitchen with a rug.", &Options::default()).draft;
-    let inferred = Source::Inferred("as usual".into());
+    let inferred = ThingOrigin::Inferred("as usual".into());
     draft.statements.push(Statement::new("assert rug.pos.y = 0;", inferred.clone()));
     draft.statements.push(Statement::new("assert rug.pos.y = 1;", inferred));
     assert_eq!(faults(&draft).len(), 1);

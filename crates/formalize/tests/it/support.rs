@@ -1,6 +1,6 @@
 //! Drafts for the tests, and what the front end and the prover say of programs.
 
-use scenelang_formalize::draft::{Draft, Opening, OpeningKind, Room, Source, Statement, Surface, Thing};
+use scenelang_formalize::draft::{Draft, DraftRoom, DraftThing, Opening, OpeningKind, Statement, Surface, ThingOrigin};
 use scenelang_lang::{Options, compile_text};
 use std::path::Path;
 
@@ -11,13 +11,13 @@ pub fn complaints(program: &str) -> Vec<String> {
 }
 
 /// The bytes of some words of a request.
-pub fn stated(request: &str, words: &str) -> Source {
+pub fn stated(request: &str, words: &str) -> ThingOrigin {
     let at = request.find(words).unwrap_or_else(|| panic!("no {words:?} in {request:?}"));
-    Source::Stated(at..at + words.len())
+    ThingOrigin::Stated(at..at + words.len())
 }
 
-pub fn room(name: &str, size: [f64; 2]) -> Room {
-    Room {
+pub fn room(name: &str, size: [f64; 2]) -> DraftRoom {
+    DraftRoom {
         name: name.into(),
         kind: name.into(),
         at: [0.0; 2],
@@ -26,7 +26,7 @@ pub fn room(name: &str, size: [f64; 2]) -> Room {
         outline: None,
         floor: Surface::default(),
         walls: Surface::default(),
-        source: Source::Inferred("a test".into()),
+        source: ThingOrigin::Inferred("a test".into()),
     }
 }
 
@@ -38,23 +38,23 @@ pub fn opening(name: &str, kind: OpeningKind, rooms: &[usize]) -> Opening {
         rooms: rooms.to_vec(),
         size: if kind == OpeningKind::Door { [0.9, 2.1, 0.06] } else { [1.5, 1.2, 0.06] },
         look: Default::default(),
-        source: Source::Inferred("a test".into()),
+        source: ThingOrigin::Inferred("a test".into()),
     }
 }
 
-pub fn thing(name: &str, category: &str, room: Option<usize>) -> Thing {
-    Thing {
+pub fn thing(name: &str, category: &str, room: Option<usize>) -> DraftThing {
+    DraftThing {
         name: name.into(),
         category: category.into(),
         count: 1,
         room,
         size: None,
         look: Default::default(),
-        source: Source::Inferred("a test".into()),
+        source: ThingOrigin::Inferred("a test".into()),
     }
 }
 
-pub fn statement(text: &str, source: Source) -> Statement {
+pub fn statement(text: &str, source: ThingOrigin) -> Statement {
     Statement::new(text, source)
 }
 
@@ -91,14 +91,16 @@ pub fn office() -> Draft {
     lamp.look.color = Some("brushed gold".into());
     lamp.look.features = vec!["\"vintage\"".into()];
     lamp.source = from("lamp");
-    let bench =
-        Thing { source: Source::Inferred("a hall has somewhere to sit".into()), ..thing("bench", "bench", Some(1)) };
+    let bench = DraftThing {
+        source: ThingOrigin::Inferred("a hall has somewhere to sit".into()),
+        ..thing("bench", "bench", Some(1))
+    };
     draft.things = vec![table, chair, lamp, bench];
     draft.statements = vec![
         statement("assert around(chair, table, 0.5);", from("around")),
         statement("assert ceilingMounted(lamp, meetingRoom) and above(lamp, table)", from("hangs")),
-        statement("assert againstWall(bench, hall);", Source::Inferred("a bench stands at a wall".into())),
-        statement("assert forall o in objects: o.rot.x = 0;", Source::Inferred("nothing lies on its side".into())),
+        statement("assert againstWall(bench, hall);", ThingOrigin::Inferred("a bench stands at a wall".into())),
+        statement("assert forall o in objects: o.rot.x = 0;", ThingOrigin::Inferred("nothing lies on its side".into())),
     ];
     let cosy = request.find("It should").expect("it is there");
     draft.notes = vec![scenelang_formalize::draft::Note {

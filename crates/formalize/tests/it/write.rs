@@ -1,7 +1,7 @@
 //! A draft becomes a program that reads well, compiles without a word, and is left alone by the formatter.
 
 use crate::support::{complaints, office, room, thing};
-use scenelang_formalize::draft::{Draft, Note, Source};
+use scenelang_formalize::draft::{Draft, Note, ThingOrigin};
 use scenelang_formalize::{arrange_rooms, write::write};
 use scenelang_lang::fmt::{FormatOptions, format};
 
@@ -33,11 +33,11 @@ fn stays_text(words: &str) {
     chair.look.color = Some(words.into());
     chair.look.material = Some(words.into());
     chair.look.features = vec![words.into(), words.into()];
-    chair.source = Source::Stated(all.clone());
+    chair.source = ThingOrigin::Stated(all.clone());
     let mut cell = room("cell", [4.0, 4.0]);
     cell.kind = words.into();
     cell.walls.color = Some(words.into());
-    cell.source = Source::Inferred(words.into());
+    cell.source = ThingOrigin::Inferred(words.into());
     let draft = Draft {
         request: words.into(),
         rooms: vec![cell],

@@ -1,20 +1,20 @@
 //! Fixes of what is marked.
 
-use super::{Action, Ghost, Kind, indent, is_safe, line_end, line_start};
+use super::{Action, ActionKind, Ghost, indent, is_safe, line_end, line_start};
 use crate::diagnostics::{Finding, diagnostics};
 use crate::{LayoutFile, Snapshot};
 use scenelang_base::{Edit, FileId, TextRange, codes, fix};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::program::Program;
 use scenelang_layout::Vec3;
-use scenelang_verify::explain::{Step, move_in_words};
+use scenelang_verify::explain::{ObjectMove, move_in_words};
 
 pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<Action>) -> Result<(), Cancelled> {
     let d = &finding.diagnostic;
     let repairs = |action: Action| Action { repairs: Some(finding.clone()), ..action };
     for fix in &d.fixes {
         let preferred = is_safe(fix.applicability);
-        let action = Action::new(sentence(&fix.title), Kind::Fix, fix.edits.clone());
+        let action = Action::new(sentence(&fix.title), ActionKind::Fix, fix.edits.clone());
         out.push(repairs(Action { preferred, ..action }));
     }
     let Some(place) = d.primary.as_ref().map(|label| label.place) else { return Ok(()) };
@@ -46,7 +46,7 @@ fn declare(snapshot: &Snapshot, name: TextRange, object: bool) -> Vec<Action> {
     let make = |word: &str, what: &str| {
         let place = TextRange::empty(at).in_file(snapshot.main());
         let edit = Edit { place, text: format!("{lead}{word} {written};\n") };
-        Action::new(format!("Declare `{written}` as {what}"), Kind::Fix, vec![edit])
+        Action::new(format!("Declare `{written}` as {what}"), ActionKind::Fix, vec![edit])
     };
     let kinds = [("object", "an object"), ("region", "a region"), ("Number", "a number")];
     // That it may be an object is often said by the diagnostic itself.
@@ -57,7 +57,7 @@ fn declare(snapshot: &Snapshot, name: TextRange, object: bool) -> Vec<Action> {
 fn silence(snapshot: &Snapshot, code: &str, place: TextRange) -> Action {
     let end = line_end(snapshot.text(), place.start);
     let edit = Edit { place: TextRange::empty(end).in_file(snapshot.main()), text: format!(" // allow({code})") };
-    Action::new(format!("Allow {code} here"), Kind::Fix, vec![edit])
+    Action::new(format!("Allow {code} here"), ActionKind::Fix, vec![edit])
 }
 
 /// Moves that repair a row and break nothing, the best first: they were judged before.
@@ -72,14 +72,14 @@ fn choices(snapshot: &Snapshot, index: usize) -> Result<Vec<Action>, Cancelled> 
         let Some(edits) = moves(snapshot, program, &choice.steps) else { continue };
         let title = sentence(&move_in_words(program, choice));
         let moves = choice.steps.iter().filter_map(|step| Ghost::of(snapshot, program, step)).collect();
-        out.push(Action { preferred: out.is_empty(), moves, ..Action::new(title, Kind::Fix, edits) });
+        out.push(Action { preferred: out.is_empty(), moves, ..Action::new(title, ActionKind::Fix, edits) });
     }
     Ok(out)
 }
 
 impl Ghost {
     /// Where an object is after a step.
-    fn of(snapshot: &Snapshot, program: &Program, step: &Step) -> Option<Self> {
+    fn of(snapshot: &Snapshot, program: &Program, step: &ObjectMove) -> Option<Self> {
         let object = program.objects.get(step.object.0 as usize)?.name.to_string();
         let placed = snapshot.layout()?.read.layout.object(&object)?;
         let mut rot = placed.rot;
@@ -89,7 +89,7 @@ impl Ghost {
 }
 
 /// Moves as edits of the layout: of the numbers, and nothing else.
-fn moves(snapshot: &Snapshot, program: &Program, steps: &[Step]) -> Option<Vec<Edit>> {
+fn moves(snapshot: &Snapshot, program: &Program, steps: &[ObjectMove]) -> Option<Vec<Edit>> {
     let layout = snapshot.layout()?;
     let mut edits = Vec::new();
     for step in steps {

@@ -20,7 +20,7 @@ use scenelang_layout::Vec3;
 
 /// What kind of change it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ActionKind {
     /// Repairs what is marked.
     Fix,
     /// Makes something of a part.
@@ -37,7 +37,7 @@ pub struct Action {
     /// In the imperative.
     pub title: String,
     /// What kind of change it is.
-    pub kind: Kind,
+    pub kind: ActionKind,
     /// What is replaced, in the program's files and the layout; of [`Detail::Titles`] nothing where it is much.
     pub edits: Vec<Edit>,
     /// What is repaired by it.
@@ -60,7 +60,7 @@ pub struct Ghost {
 }
 
 impl Action {
-    fn new(title: impl Into<String>, kind: Kind, edits: Vec<Edit>) -> Self {
+    fn new(title: impl Into<String>, kind: ActionKind, edits: Vec<Edit>) -> Self {
         Self { title: title.into(), kind, edits, repairs: None, preferred: false, moves: Vec::new() }
     }
 }

@@ -1,6 +1,6 @@
 //! A formula becomes a predicate, and a call becomes the formula that it stands for.
 
-use super::{Action, Kind, indent};
+use super::{Action, ActionKind, indent};
 use crate::Snapshot;
 use crate::names::{Occurrence, Symbol, occurrences};
 use crate::shape::is_constraint;
@@ -59,7 +59,7 @@ pub(super) fn extract(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Actio
         Edit { place: TextRange::empty(start).in_file(file), text: definition },
         Edit { place: chosen.in_file(file), text: format!("{name}({})", args.join(", ")) },
     ];
-    out.push(Action::new(format!("Extract predicate `{name}`"), Kind::Extract, edits));
+    out.push(Action::new(format!("Extract predicate `{name}`"), ActionKind::Extract, edits));
     Ok(())
 }
 
@@ -177,7 +177,7 @@ pub(super) fn inline(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action
             if let Some(body) = body_with(snapshot, span.file, &name.text, &args)? {
                 let whole = with_brackets(snapshot.text(), expr.range.shifted(place.offset));
                 let edit = Edit { place: whole.in_file(snapshot.main()), text: format!("({body})") };
-                out.push(Action::new(format!("Inline predicate `{}`", name.text), Kind::Inline, vec![edit]));
+                out.push(Action::new(format!("Inline predicate `{}`", name.text), ActionKind::Inline, vec![edit]));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The same said in another way.
 
-use super::{Action, Detail, Kind, indent};
+use super::{Action, ActionKind, Detail, indent};
 use crate::Snapshot;
 use crate::names::{Role, Symbol, declared_kind, name_at, occurrences};
 use rustc_hash::FxHashMap;
@@ -40,7 +40,7 @@ pub(super) fn split(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>
         let statements: Vec<String> = written.iter().map(|part| format!("assert {part}")).collect();
         let joined = statements.join(&format!(";\n{lead}{requirements}"));
         let edit = Edit { place: whole.in_file(snapshot.main()), text: joined };
-        out.push(Action::new(format!("Split into {} assertions", parts.len()), Kind::Rewrite, vec![edit]));
+        out.push(Action::new(format!("Split into {} assertions", parts.len()), ActionKind::Rewrite, vec![edit]));
     }
     Ok(())
 }
@@ -109,7 +109,7 @@ pub(super) fn array(
     };
     out.push(Action::new(
         format!("Combine these objects into the array `{stem}[{}]`", members.len()),
-        Kind::Rewrite,
+        ActionKind::Rewrite,
         edits,
     ));
     Ok(())
@@ -165,7 +165,7 @@ pub(super) fn pin(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>) 
     let Some(placed) = snapshot.layout().and_then(|l| l.read.layout.object(item)) else { return Ok(()) };
     let meanings = snapshot.meanings()?;
     let Some(span) = meanings.declared.get(item).filter(|span| span.file == snapshot.main()) else { return Ok(()) };
-    let own = |place: &&scenelang_lang::items::Place<'_>| {
+    let own = |place: &&scenelang_lang::items::Located<'_>| {
         place.span(place.stmt.range).is_some_and(|s| s.range.start <= span.range.start && span.range.end <= s.range.end)
     };
     let Some(place) = meanings.statements.iter().map(|(place, _)| place).find(own) else { return Ok(()) };
@@ -193,7 +193,7 @@ pub(super) fn pin(snapshot: &Snapshot, range: TextRange, out: &mut Vec<Action>) 
     }
     if !new.is_empty() {
         let edit = Edit { place: TextRange::empty(at).in_file(snapshot.main()), text: new };
-        out.push(Action::new(format!("Pin `{item}` at its current position"), Kind::Rewrite, vec![edit]));
+        out.push(Action::new(format!("Pin `{item}` at its current position"), ActionKind::Rewrite, vec![edit]));
     }
     Ok(())
 }

@@ -3,9 +3,9 @@
 use scenelang_base::{SourceFile, SourceMap, Span, TextRange};
 use scenelang_lang::ast::{ExprId, ExprKind, Stmt, StmtKind};
 use scenelang_lang::hir::{Hir, LocalKind, Meanings, Resolution};
-use scenelang_lang::items::{ItemKind, Place, whole_number};
+use scenelang_lang::items::{ItemKind, Located, whole_number};
 use scenelang_lang::natives::{SIDES, Signature};
-use scenelang_lang::program::Side;
+use scenelang_lang::program::ObjectSide;
 use scenelang_lang::syntax::NodeKind;
 use scenelang_lang::types::Ty;
 use scenelang_verify::report;
@@ -36,7 +36,7 @@ struct View<'a> {
 /// A statement and what it means.
 #[derive(Clone, Copy)]
 struct Meant<'a> {
-    place: Place<'a>,
+    place: Located<'a>,
     hir: &'a Hir,
 }
 
@@ -276,7 +276,7 @@ fn local_kind(kind: LocalKind) -> &'static str {
     }
 }
 
-fn side_word(side: Side) -> &'static str {
+fn side_word(side: ObjectSide) -> &'static str {
     SIDES.iter().find(|(_, s)| *s == side).map_or("", |(word, _)| word)
 }
 

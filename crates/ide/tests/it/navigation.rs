@@ -1,18 +1,18 @@
 //! From a name to where it comes from, and to wherever else it stands.
 
 use crate::fixture::Fixture;
-use scenelang_ide::navigate::{Target, declaration, definition, highlights, type_definition};
+use scenelang_ide::navigate::{NavigationTarget, declaration, definition, highlights, type_definition};
 use scenelang_lang::library;
 
 /// Where a target is: the file, and the text of the name there.
-fn place(fixture: &Fixture, target: Target) -> String {
+fn place(fixture: &Fixture, target: NavigationTarget) -> String {
     match target {
-        Target::File(span, _) => {
+        NavigationTarget::File(span, _) => {
             let file = fixture.snapshot.sources().get(span.file);
             let name = file.path().file_name().unwrap().to_string_lossy();
             format!("{name} {}", file.slice(span.range)).trim().to_owned()
         }
-        Target::Library(file, name, _) => {
+        NavigationTarget::Library(file, name, _) => {
             format!("{} {}", library::FILES[file].0, &library::FILES[file].1[name.bytes()])
         }
     }
@@ -23,7 +23,7 @@ fn definitions_declarations_and_types() {
     type Find = fn(
         &scenelang_ide::Snapshot,
         u32,
-    ) -> Result<Option<(scenelang_base::TextRange, Target)>, scenelang_ide::Cancelled>;
+    ) -> Result<Option<(scenelang_base::TextRange, NavigationTarget)>, scenelang_ide::Cancelled>;
     let [defined, declared, kind]: [Find; 3] = [definition, declaration, type_definition];
     for (find, lines, wanted) in [
         (defined, "assert on(lamp, st$0and[0]);", Some("room.scene stand")),

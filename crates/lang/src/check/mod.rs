@@ -5,7 +5,7 @@ pub(crate) mod cycles;
 mod expr;
 
 use crate::ast::{Allow, ExprId, ExprKind, Stmt, StmtKind, TypeWord};
-use crate::hir::{Hir, Resolution, Target};
+use crate::hir::{AssignTarget, Hir, Resolution};
 use crate::items::{ItemKind, Names, array_size, whole_number};
 use crate::natives::{self, property};
 use crate::types::Ty;
@@ -161,7 +161,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             (None, true) => owner,
             (None, false) => Ty::Error,
         };
-        facts.target = Some(Target { owner: index.map_or_else(whole, element), property: assigned, ty });
+        facts.target = Some(AssignTarget { owner: index.map_or_else(whole, element), property: assigned, ty });
     }
     match (owner, path.as_slice()) {
         (Ty::Object | Ty::Region, []) => {

@@ -9,7 +9,7 @@ use crate::ast::{Stmt, StmtKind};
 use crate::check::{Where, cycles};
 use crate::compile::{MAX_ERRORS, Options};
 use crate::hir::Meanings;
-use crate::items::{Items, Place};
+use crate::items::{Items, Located};
 use crate::lint::{self, Linted, allow};
 use crate::lower;
 use crate::parse::ParsedFile;
@@ -50,17 +50,17 @@ pub(crate) struct Unit<'a> {
 
 impl<'a> Unit<'a> {
     /// Its statements in order.
-    pub fn places(&self) -> impl Iterator<Item = Place<'a>> {
+    pub fn places(&self) -> impl Iterator<Item = Located<'a>> {
         let file = Some(self.file);
         self.runs.iter().flat_map(move |(start, run)| {
-            run.statements.iter().map(move |(offset, stmt)| Place { file, offset: start + offset, stmt })
+            run.statements.iter().map(move |(offset, stmt)| Located { file, offset: start + offset, stmt })
         })
     }
 
-    fn place(&self, run: u32, stmt: u32) -> Place<'a> {
+    fn place(&self, run: u32, stmt: u32) -> Located<'a> {
         let (start, run) = self.runs[run as usize];
         let (offset, stmt) = &run.statements[stmt as usize];
-        Place { file: Some(self.file), offset: start + offset, stmt }
+        Located { file: Some(self.file), offset: start + offset, stmt }
     }
 }
 
@@ -183,7 +183,7 @@ impl Analysis {
                 out.extend(parsed.diagnostics.iter().map(|d| d.clone().map_places(here)));
                 for (stmt, d) in checked(&self.db, *run) {
                     let (offset, stmt) = &parsed.statements[*stmt as usize];
-                    let place = Place { file: Some(file.file), offset: start + offset, stmt };
+                    let place = Located { file: Some(file.file), offset: start + offset, stmt };
                     out.push(self.absolute(d.clone(), place, file.file, units));
                 }
             }
@@ -252,7 +252,7 @@ impl Analysis {
     }
 
     /// A diagnostic of the statement at `place`, its places made absolute.
-    fn absolute(&self, d: Diagnostic<Where>, place: Place<'_>, file: FileId, units: &[Unit<'_>]) -> Diagnostic {
+    fn absolute(&self, d: Diagnostic<Where>, place: Located<'_>, file: FileId, units: &[Unit<'_>]) -> Diagnostic {
         let here = |range: TextRange| range.shifted(place.offset).in_file(file);
         let table = names(&self.db, self.sources);
         d.map_places(|w| {
@@ -271,18 +271,19 @@ impl Analysis {
     fn found_twice(&self, units: &[Unit<'_>], out: &mut Vec<Diagnostic>) {
         let table = names(&self.db, self.sources);
         let assigned = assignments(&self.db, self.sources);
-        let mut report = |twice: &[Twice], code: Code, verb: &str, note: &str, span: fn(Place<'_>) -> Option<Span>| {
-            for Twice { what, first, again } in twice {
-                let Some(here) = span(place_of(units, *again)) else { continue };
-                let kind = if verb == "defined" { "predicate " } else { "" };
-                let mut d = Diagnostic::new(code, here, format!("{kind}`{what}` is {verb} twice"))
-                    .label(format!("{verb} again"));
-                if let Some(first) = span(place_of(units, *first)) {
-                    d = d.related(first, format!("first {verb} here"));
+        let mut report =
+            |twice: &[Twice], code: Code, verb: &str, note: &str, span: fn(Located<'_>) -> Option<Span>| {
+                for Twice { what, first, again } in twice {
+                    let Some(here) = span(place_of(units, *again)) else { continue };
+                    let kind = if verb == "defined" { "predicate " } else { "" };
+                    let mut d = Diagnostic::new(code, here, format!("{kind}`{what}` is {verb} twice"))
+                        .label(format!("{verb} again"));
+                    if let Some(first) = span(place_of(units, *first)) {
+                        d = d.related(first, format!("first {verb} here"));
+                    }
+                    out.push(d.note(note));
                 }
-                out.push(d.note(note));
-            }
-        };
+            };
         let rename = "give one of them another name, or remove one";
         report(&table.declared_twice, codes::E0202, "declared", rename, name_span);
         report(&table.defined_twice, codes::E0202, "defined", rename, name_span);
@@ -312,12 +313,12 @@ impl Analysis {
     }
 }
 
-fn place_of<'a>(units: &[Unit<'a>], at: At) -> Place<'a> {
+fn place_of<'a>(units: &[Unit<'a>], at: At) -> Located<'a> {
     units[at.unit as usize].place(at.run, at.stmt)
 }
 
 /// The name that a statement declares or defines.
-fn name_span(place: Place<'_>) -> Option<Span> {
+fn name_span(place: Located<'_>) -> Option<Span> {
     match &place.stmt.kind {
         StmtKind::Declare { name, .. } | StmtKind::Predicate { name, .. } => place.span(name.range),
         _ => None,

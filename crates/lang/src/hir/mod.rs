@@ -7,9 +7,9 @@
 
 use crate::ast::{ExprId, Stmt};
 use crate::check;
-use crate::items::{ItemKind, Names, Place};
+use crate::items::{ItemKind, Located, Names};
 use crate::natives::{Property, Signature};
-use crate::program::Side;
+use crate::program::ObjectSide;
 use crate::types::Ty;
 use rustc_hash::FxHashMap;
 use scenelang_base::{Span, TextRange};
@@ -23,7 +23,7 @@ pub struct Hir {
     /// Parameters and variables of quantifiers, in the order in which they are bound.
     pub locals: Vec<Local>,
     /// What an assignment assigns.
-    pub target: Option<Target>,
+    pub target: Option<AssignTarget>,
 }
 
 /// What a name or an expression stands for.
@@ -63,7 +63,7 @@ pub enum Resolution {
     /// `x`, `y` or `z` of a vector or a rotation.
     Component,
     /// A side word.
-    Side(Side),
+    Side(ObjectSide),
 }
 
 /// A name that a statement binds for a part of itself.
@@ -90,7 +90,7 @@ pub enum LocalKind {
 
 /// What an assignment assigns.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Target {
+pub struct AssignTarget {
     /// The object, element, region or variable.
     pub owner: Resolution,
     /// The property; `None`: the whole variable, or something that cannot be assigned.
@@ -126,7 +126,7 @@ impl Hir {
 #[derive(Debug)]
 pub struct Meanings<'a> {
     /// The statements, in order.
-    pub statements: Vec<(Place<'a>, &'a Hir)>,
+    pub statements: Vec<(Located<'a>, &'a Hir)>,
     /// Where objects, arrays, regions and variables are declared, in any file of the program.
     pub declared: FxHashMap<SmolStr, Span>,
     /// Where the predicates of the program are defined.

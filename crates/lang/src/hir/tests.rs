@@ -15,7 +15,7 @@ fn meaning(text: &str) -> String {
     let mut analysis = Analysis::new(Options::default());
     analysis.update(main, &mut sources, &Door::of("a.scene".as_ref()));
     let meanings = analysis.meanings(main).expect("nobody changes it");
-    let (Place { offset, stmt, .. }, hir) = *meanings.statements.last().expect("a statement");
+    let (Located { offset, stmt, .. }, hir) = *meanings.statements.last().expect("a statement");
     let slice = |range: TextRange| &text[range.shifted(offset).bytes()];
     let mut lines: Vec<String> = Vec::new();
     lines.extend(hir.target.as_ref().map(|t| format!("target: {} = {}", t.ty.name(), words(&t.owner))));

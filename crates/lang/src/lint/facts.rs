@@ -11,7 +11,7 @@ use smol_str::SmolStr;
 
 /// The value of a text property or variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value<'a> {
+pub enum TextValue<'a> {
     /// A literal.
     Text(&'a str),
     /// That of a variable.
@@ -21,7 +21,7 @@ pub enum Value<'a> {
 }
 
 /// The element of an array, if only one is assigned, and the value.
-type Assigned<'a> = (Option<u32>, Value<'a>);
+type Assigned<'a> = (Option<u32>, TextValue<'a>);
 
 /// What a program says, for the warnings about all of it.
 pub struct Facts<'a> {
@@ -71,9 +71,9 @@ impl<'a> Facts<'a> {
                     *facts.assigned.entry(&name.text).or_default() += 1;
                     let property = path.first().map_or("", |p| p.text.as_str());
                     let value = match &place.stmt.expr(*value).kind {
-                        ExprKind::Text(text) => Value::Text(text),
-                        ExprKind::Name(variable) => Value::Variable(variable),
-                        _ => Value::Other,
+                        ExprKind::Text(text) => TextValue::Text(text),
+                        ExprKind::Name(variable) => TextValue::Variable(variable),
+                        _ => TextValue::Other,
                     };
                     let element = index.map(|i| whole_number(place.stmt, i).map_or(u32::MAX, |i| i as u32));
                     facts.properties.insert(property);
@@ -140,9 +140,9 @@ impl<'a> Facts<'a> {
         let Some(values) = self.values.get(&(name, property)) else { return unassigned() };
         match values.iter().find(|(e, _)| e.is_none() || *e == element) {
             None => unassigned(),
-            Some((_, Value::Text(text))) => Some(text),
-            Some((_, Value::Variable(variable))) => self.variable(variable),
-            Some((_, Value::Other)) => None,
+            Some((_, TextValue::Text(text))) => Some(text),
+            Some((_, TextValue::Variable(variable))) => self.variable(variable),
+            Some((_, TextValue::Other)) => None,
         }
     }
 
@@ -155,35 +155,35 @@ impl<'a> Facts<'a> {
         // A circle of definitions is an error of its own.
         for _ in 0..16 {
             match self.values.get(&(at, ""))?.first()? {
-                (_, Value::Text(text)) => return Some(text),
-                (_, Value::Variable(next)) => at = next,
-                (_, Value::Other) => return None,
+                (_, TextValue::Text(text)) => return Some(text),
+                (_, TextValue::Variable(next)) => at = next,
+                (_, TextValue::Other) => return None,
             }
         }
         None
     }
 
     /// Variables and predicates of which `such` holds, or which use one of which it holds, directly or through others.
-    pub fn closure(&self, such: impl Fn(&Linted<'_>) -> bool) -> FxHashSet<Node<'a>> {
+    pub fn closure(&self, such: impl Fn(&Linted<'_>) -> bool) -> FxHashSet<DefinitionNode<'a>> {
         if !self.statements.iter().any(&such) {
             return FxHashSet::default();
         }
-        let mut users: FxHashMap<Node<'a>, Vec<Node<'a>>> = FxHashMap::default();
+        let mut users: FxHashMap<DefinitionNode<'a>, Vec<DefinitionNode<'a>>> = FxHashMap::default();
         let mut open = Vec::new();
         for linted in self.statements {
             let node = match &linted.place.stmt.kind {
-                StmtKind::Assign { name, path, .. } if path.is_empty() => Node::Variable(&name.text),
-                StmtKind::Predicate { name, .. } => Node::Predicate(&name.text),
+                StmtKind::Assign { name, path, .. } if path.is_empty() => DefinitionNode::Variable(&name.text),
+                StmtKind::Predicate { name, .. } => DefinitionNode::Predicate(&name.text),
                 _ => continue,
             };
             if such(linted) {
                 open.push(node);
             }
             for name in &linted.uses.names {
-                users.entry(Node::Variable(&name.text)).or_default().push(node);
+                users.entry(DefinitionNode::Variable(&name.text)).or_default().push(node);
             }
             for name in &linted.uses.calls {
-                users.entry(Node::Predicate(name)).or_default().push(node);
+                users.entry(DefinitionNode::Predicate(name)).or_default().push(node);
             }
         }
         let mut reached = FxHashSet::default();
@@ -206,7 +206,7 @@ impl<'a> Facts<'a> {
 
 /// A definition: a variable or a predicate of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Node<'a> {
+pub enum DefinitionNode<'a> {
     /// A variable that is assigned.
     Variable(&'a SmolStr),
     /// A predicate.

@@ -34,8 +34,8 @@ mod words;
 
 use crate::ast::Stmt;
 use crate::check::Where;
-use crate::items::{Names, Place};
-use facts::{Facts, Node};
+use crate::items::{Located, Names};
+use facts::{DefinitionNode, Facts};
 use scenelang_base::{Code, Diagnostic, codes};
 use scope::Scopes;
 use smol_str::SmolStr;
@@ -60,7 +60,7 @@ pub fn statement(names: &dyn Names, stmt: &Stmt) -> Vec<Diagnostic<Where>> {
 #[derive(Clone, Copy)]
 pub struct Linted<'a> {
     /// The statement and its place, in a file of the user.
-    pub place: Place<'a>,
+    pub place: Located<'a>,
     /// Its summary.
     pub uses: &'a Uses,
     /// Whether it has no errors of its own.
@@ -71,7 +71,7 @@ pub struct Linted<'a> {
 
 impl<'a> Linted<'a> {
     /// A statement with what was found about it alone, types and all.
-    pub fn new<'d>(place: Place<'a>, uses: &'a Uses, found: impl Iterator<Item = &'d Diagnostic<Where>>) -> Self {
+    pub fn new<'d>(place: Located<'a>, uses: &'a Uses, found: impl Iterator<Item = &'d Diagnostic<Where>>) -> Self {
         let mut linted = Self { place, uses, sound: true, dead: false };
         for d in found {
             linted.sound &= !d.is_error();
@@ -99,6 +99,10 @@ pub fn program(names: &dyn Names, statements: &[Linted<'_>], errors: &[Code]) ->
     sets::empty(&facts, &mut out);
     outside::check(&facts, &mut out);
     let drawing = facts.closure(|s| s.uses.draws);
-    dead::repeated(statements, |predicate| drawing.contains(&Node::Predicate(&SmolStr::new(predicate))), &mut out);
+    dead::repeated(
+        statements,
+        |predicate| drawing.contains(&DefinitionNode::Predicate(&SmolStr::new(predicate))),
+        &mut out,
+    );
     out
 }

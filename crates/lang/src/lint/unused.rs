@@ -1,6 +1,6 @@
 //! W0201: declared, and nothing is said of it. W0202: a text is read that nothing has been assigned.
 
-use super::facts::{Facts, Node};
+use super::facts::{DefinitionNode, Facts};
 use super::sets;
 use crate::ast::StmtKind;
 use crate::items::ItemKind;
@@ -111,8 +111,8 @@ pub fn without_objects(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             _ => continue,
         };
         let reached = reached.get_or_insert_with(|| facts.closure(things));
-        let through = linted.uses.names.iter().any(|n| reached.contains(&Node::Variable(&n.text)))
-            || linted.uses.calls.iter().any(|c| reached.contains(&Node::Predicate(c)));
+        let through = linted.uses.names.iter().any(|n| reached.contains(&DefinitionNode::Variable(&n.text)))
+            || linted.uses.calls.iter().any(|c| reached.contains(&DefinitionNode::Predicate(c)));
         let expr = linted.place.stmt.expr(formula);
         let dead = linted.dead;
         if !through

@@ -3,7 +3,7 @@
 use super::scope::Scopes;
 use crate::ast::{Stmt, StmtKind, TypeWord};
 use crate::check::Where;
-use crate::wording::{MARK, Piece, Template, Term, comparisons, lines};
+use crate::wording::{MARK, Template, TemplatePiece, Term, comparisons, lines};
 use scenelang_base::{Diagnostic, codes};
 
 /// Looks at the templates of a predicate.
@@ -30,7 +30,7 @@ pub fn check(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>)
         };
         let in_sums = |index: usize| {
             let is_it = |(_, term): &(bool, Term)| *term == Term::Name(index);
-            template.pieces.iter().any(|p| matches!(p, Piece::Value { terms, .. } if terms.iter().any(is_it)))
+            template.pieces.iter().any(|p| matches!(p, TemplatePiece::Value { terms, .. } if terms.iter().any(is_it)))
         };
         for (index, word) in template.names.iter().enumerate() {
             let number = |ty: TypeWord| matches!(ty, TypeWord::Number | TypeWord::Degree);

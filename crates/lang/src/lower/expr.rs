@@ -498,7 +498,7 @@ impl<'a> Lowerer<'a, '_> {
         self.built_in(&name.text, &values, range, top)
     }
 
-    fn side_word(&self, name: &str, index: usize, arg: ExprId) -> Option<Side> {
+    fn side_word(&self, name: &str, index: usize, arg: ExprId) -> Option<ObjectSide> {
         if !natives::overloads(name).any(|s| s.param(index) == Ty::Side) {
             return None;
         }

@@ -7,7 +7,7 @@
 use super::Lowerer;
 use crate::ast::{ExprKind, Stmt, StmtKind};
 use crate::db::Unit;
-use crate::items::Place;
+use crate::items::Located;
 use crate::program::{ConstraintKind, Guideline, Node, NodeId};
 use crate::wording::MARK;
 use rustc_hash::FxHashSet;
@@ -55,7 +55,7 @@ impl Guidelines {
 
 impl<'a> Lowerer<'a, '_> {
     /// One constraint for each thing that a guideline speaks of; none where it asks for nothing.
-    pub(super) fn instances(&mut self, place: Place<'a>, kind: ConstraintKind, name: &SmolStr, root: NodeId) {
+    pub(super) fn instances(&mut self, place: Located<'a>, kind: ConstraintKind, name: &SmolStr, root: NodeId) {
         let members = match self.f.b.node(root) {
             Node::Truth(true) => return,
             Node::And(members) => members.to_vec(),

@@ -11,7 +11,7 @@ mod words;
 
 use crate::ast::{Allow, ExprId, Stmt, StmtKind};
 use crate::db::Unit;
-use crate::items::{AssignKey, Assignment, ItemKind, Items, Place, Predicate};
+use crate::items::{AssignKey, Assignment, ItemKind, Items, Located, Predicate};
 use crate::program::*;
 use crate::roles;
 use crate::types::Ty;
@@ -46,7 +46,7 @@ enum Val {
     /// All rooms.
     Rooms,
     Polygon(Rc<[NodeId]>),
-    Side(Side),
+    Side(ObjectSide),
 }
 
 /// The statement has no formula: something in it is wrong and has been reported (here or where it is defined).
@@ -134,12 +134,12 @@ struct Lowerer<'a, 'b> {
 #[derive(Default)]
 struct Frame<'a> {
     b: Builder,
-    place: Option<Place<'a>>,
+    place: Option<Located<'a>>,
     scope: Vec<(SmolStr, Val)>,
     /// Inside a definition or predicate: the place that uses it, and the statement that place is in.
     user: Option<TextRange>,
     /// The statement whose formula it is.
-    root: Option<Place<'a>>,
+    root: Option<Located<'a>>,
     /// The object that a `where` is asking about.
     own: Option<ObjectId>,
     draw_key: String,
@@ -362,7 +362,7 @@ impl<'a> Lowerer<'a, '_> {
     /// Runs `work` on a fresh formula for `place`, unless that statement is bad.
     fn in_frame<T>(
         &mut self,
-        place: Place<'a>,
+        place: Located<'a>,
         draw_key: String,
         work: impl FnOnce(&mut Self) -> Lowered<T>,
     ) -> Lowered<T> {
@@ -379,7 +379,7 @@ impl<'a> Lowerer<'a, '_> {
         result
     }
 
-    fn statement(&mut self, place: Place<'a>, draw_key: String) -> Lowered<()> {
+    fn statement(&mut self, place: Located<'a>, draw_key: String) -> Lowered<()> {
         let stmt = place.stmt;
         match &stmt.kind {
             StmtKind::Assert { formula } => self.in_frame(place, draw_key, |l| {
@@ -425,7 +425,7 @@ impl<'a> Lowerer<'a, '_> {
         }
     }
 
-    fn constraint(&mut self, place: Place<'a>, kind: ConstraintKind, keyword: &str, root: NodeId) {
+    fn constraint(&mut self, place: Located<'a>, kind: ConstraintKind, keyword: &str, root: NodeId) {
         let Some(span) = place.span(place.stmt.range) else { return };
         let written = self.sources.text(span);
         let written = written.strip_prefix(keyword).unwrap_or(written);

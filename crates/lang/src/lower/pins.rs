@@ -3,7 +3,7 @@
 use super::{Lowered, Lowerer, Poison, Val};
 use crate::ast::StmtKind;
 use crate::check::cycles::{circles, report};
-use crate::items::{AssignKey, ItemKind, Items, Place, whole_number};
+use crate::items::{AssignKey, ItemKind, Items, Located, whole_number};
 use crate::program::*;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_base::{Diagnostic, Span, codes};
@@ -11,7 +11,7 @@ use smol_str::{SmolStr, format_smolstr};
 
 impl<'a> Lowerer<'a, '_> {
     /// One row for the statement; it may pin all elements of an array.
-    pub(super) fn assignment(&mut self, place: Place<'a>) -> Lowered<()> {
+    pub(super) fn assignment(&mut self, place: Located<'a>) -> Lowered<()> {
         let StmtKind::Assign { name, index, path, value, .. } = &place.stmt.kind else { return Ok(()) };
         let [property] = path.as_slice() else { return Ok(()) };
         let item = self.items.names.get(&name.text).ok_or(Poison)?;
@@ -72,7 +72,7 @@ impl<'a> Lowerer<'a, '_> {
         }
     }
 
-    fn pin_formula(&mut self, owner: Owner, pinned: Pinned, value: &Val, place: Place<'a>) -> Lowered<NodeId> {
+    fn pin_formula(&mut self, owner: Owner, pinned: Pinned, value: &Val, place: Located<'a>) -> Lowered<NodeId> {
         let range = place.stmt.range;
         let b = &mut self.f.b;
         let read = match (owner, pinned) {

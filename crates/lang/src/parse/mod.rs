@@ -164,7 +164,7 @@ pub(crate) fn parse_chunk(text: &str) -> ParsedChunk {
 
 /// What became of tokens that follow the grammar.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Verdict {
+enum ParseOutcome {
     /// They are a statement.
     Taken,
     /// They nest too deeply to be one.
@@ -197,7 +197,7 @@ impl ChunkParser<'_> {
         }
         let failure = match self.attempt(tokens, &words, 0, end) {
             Ok(verdict) => {
-                self.segment(words, 0, verdict == Verdict::Refused);
+                self.segment(words, 0, verdict == ParseOutcome::Refused);
                 return;
             }
             Err(failure) => failure,
@@ -215,7 +215,7 @@ impl ChunkParser<'_> {
             let words = words::read(self.text, tokens, None);
             let first = self.statements.len();
             let attempt = self.attempt(tokens, &words, from, end);
-            let broken = attempt != Ok(Verdict::Taken);
+            let broken = attempt != Ok(ParseOutcome::Taken);
             if let Err(failure) = attempt {
                 self.fail(tokens, &words, failure, from, end);
             }
@@ -231,7 +231,13 @@ impl ChunkParser<'_> {
 
     /// Takes the tokens as one statement. What it cannot take is left alone, unreported. `from`: where the statement
     /// before it ends.
-    fn attempt(&mut self, tokens: &[Token], words: &Words, from: u32, end: After) -> Result<Verdict, Option<Failure>> {
+    fn attempt(
+        &mut self,
+        tokens: &[Token],
+        words: &Words,
+        from: u32,
+        end: After,
+    ) -> Result<ParseOutcome, Option<Failure>> {
         let (errors, damage) = lexical::check(self.text, tokens);
         if damage == Damage::Lost {
             return Err(None);
@@ -241,7 +247,7 @@ impl ChunkParser<'_> {
         if let Some(refusal) = depth::check_exprs(&builder.exprs) {
             self.diagnostics.push(refusal);
             self.salvage(tokens, words, from);
-            return Ok(Verdict::Refused);
+            return Ok(ParseOutcome::Refused);
         }
         let findings = lint::check(self.text, &builder.exprs, &words.split_arrows);
         let chained = findings.iter().any(Diagnostic::is_error);
@@ -261,7 +267,7 @@ impl ChunkParser<'_> {
             attributes: parsed.attribute.or(doc_range),
             exprs: builder.exprs.into(),
         });
-        Ok(Verdict::Taken)
+        Ok(ParseOutcome::Taken)
     }
 
     /// Reports why the tokens are no statement, and keeps what can be kept of them.

@@ -10,7 +10,7 @@ use scenelang_base::TextRange;
 
 /// A range of the text that is to be a node.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct NodeRange {
     pub range: TextRange,
     pub kind: NodeKind,
 }
@@ -67,7 +67,7 @@ pub fn statement_tree(text: &str) -> GreenNode {
 }
 
 /// All nodes below the statement.
-fn pieces(text: &str, parsed: &ParsedChunk) -> Vec<Piece> {
+fn pieces(text: &str, parsed: &ParsedChunk) -> Vec<NodeRange> {
     let mut out = Vec::new();
     let mut from = 0;
     for segment in &parsed.segments {
@@ -82,30 +82,30 @@ fn pieces(text: &str, parsed: &ParsedChunk) -> Vec<Piece> {
             _ => fragments::pieces(body, statements, words, &mut out),
         }
         let attributes = words.ranges[..words.head].chunks(4).filter_map(|r| Some(r.first()?.cover(*r.last()?)));
-        out.extend(attributes.map(|range| Piece { range, kind: NodeKind::Requirement }));
+        out.extend(attributes.map(|range| NodeRange { range, kind: NodeKind::Requirement }));
         from = last.end;
     }
     if parsed.segments.is_empty() {
         // Stray semicolons; or nothing but a comment that does not close.
-        out.extend(parsed.statements.iter().map(|s| Piece { range: s.range, kind: NodeKind::Empty }));
+        out.extend(parsed.statements.iter().map(|s| NodeRange { range: s.range, kind: NodeKind::Empty }));
     }
     out
 }
 
 /// Runs of `///` lines with nothing but blanks between them.
-fn documentation(text: &str, tokens: &[Token], from: u32, to: u32, out: &mut Vec<Piece>) {
+fn documentation(text: &str, tokens: &[Token], from: u32, to: u32, out: &mut Vec<NodeRange>) {
     let blank = |range: TextRange| text[range.bytes()].trim().is_empty();
     let mut run: Option<TextRange> = None;
     for line in doc_comments(text, tokens, from, to) {
         run = match run {
             Some(run) if blank(TextRange { start: run.end, end: line.start }) => Some(run.cover(line)),
             before => {
-                out.extend(before.map(|range| Piece { range, kind: NodeKind::Documentation }));
+                out.extend(before.map(|range| NodeRange { range, kind: NodeKind::Documentation }));
                 Some(line)
             }
         };
     }
-    out.extend(run.map(|range| Piece { range, kind: NodeKind::Documentation }));
+    out.extend(run.map(|range| NodeRange { range, kind: NodeKind::Documentation }));
 }
 
 /// The tokens as the grammar read them, with what it did not read: contextual words are told apart, and `<-` that meant

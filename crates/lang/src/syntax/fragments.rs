@@ -3,9 +3,9 @@
 //! Only what the tokens' order alone makes certain is recognised (`a.b[1]`, `near(`); operators join nothing here. What
 //! the parser kept of the statement (names that it declares, its target) is taken as the parser has it.
 
-use super::build::Piece;
+use super::build::NodeRange;
 use super::kind::NodeKind;
-use super::outline::{Group, groups, parts};
+use super::outline::{BracketPair, groups, parts};
 use crate::ast::Stmt;
 use crate::parse::words::{Words, ends_value, is_constructor};
 use crate::token::Kind;
@@ -17,8 +17,8 @@ use scenelang_base::TextRange;
 const DEEPEST: usize = 200;
 
 /// The nodes of the broken statement at `body`; `kept` is what the parser could keep of it.
-pub(super) fn pieces(body: TextRange, kept: &[Stmt], words: &Words, out: &mut Vec<Piece>) {
-    out.push(Piece { range: body, kind: NodeKind::Error });
+pub(super) fn pieces(body: TextRange, kept: &[Stmt], words: &Words, out: &mut Vec<NodeRange>) {
+    out.push(NodeRange { range: body, kind: NodeKind::Error });
     let first = out.len();
     kept.iter().for_each(|stmt| parts(stmt, out));
     // Several statements may have been kept of the same words.
@@ -35,7 +35,7 @@ pub(super) fn pieces(body: TextRange, kept: &[Stmt], words: &Words, out: &mut Ve
         chains.ends[group.open] = Some(group.last);
     }
     (words.head..words.kinds.len()).for_each(|at| chains.at(at));
-    let brackets = groups.iter().map(|group: &Group| group.piece(words));
+    let brackets = groups.iter().map(|group: &BracketPair| group.piece(words));
     out.extend(chains.out.into_iter().chain(brackets).filter(|piece| !known.contains(&piece.range)));
 }
 
@@ -43,7 +43,7 @@ struct Chains<'w> {
     words: &'w Words,
     /// Of each opening bracket, the last word of its pair.
     ends: Vec<Option<usize>>,
-    out: Vec<Piece>,
+    out: Vec<NodeRange>,
 }
 
 impl Chains<'_> {
@@ -53,7 +53,7 @@ impl Chains<'_> {
 
     fn push(&mut self, from: usize, to: usize, kind: NodeKind) {
         let range = self.words.ranges[from].cover(self.words.ranges[to]);
-        self.out.push(Piece { range, kind });
+        self.out.push(NodeRange { range, kind });
     }
 
     /// What begins at a word: a name or a literal, a call; then `.property` and `[index]` as long as they follow.

@@ -108,9 +108,9 @@ node_kinds! {
 
 /// The language, for the tree's types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Scene {}
+pub enum SceneLanguage {}
 
-impl rowan::Language for Scene {
+impl rowan::Language for SceneLanguage {
     type Kind = SyntaxKind;
 
     fn kind_from_raw(raw: rowan::SyntaxKind) -> SyntaxKind {
@@ -132,7 +132,7 @@ impl rowan::Language for Scene {
 
 impl From<SyntaxKind> for rowan::SyntaxKind {
     fn from(kind: SyntaxKind) -> Self {
-        <Scene as rowan::Language>::kind_to_raw(kind)
+        <SceneLanguage as rowan::Language>::kind_to_raw(kind)
     }
 }
 
@@ -250,8 +250,8 @@ mod tests {
     fn numbers_lead_back_to_their_kinds() {
         let all = TABLE.iter().map(|row| SyntaxKind::Token(row.kind)).chain(NODES.iter().map(|n| SyntaxKind::Node(*n)));
         for (number, kind) in all.enumerate() {
-            assert_eq!(usize::from(Scene::kind_to_raw(kind).0), number, "{kind}");
-            assert_eq!(Scene::kind_from_raw(Scene::kind_to_raw(kind)), kind);
+            assert_eq!(usize::from(SceneLanguage::kind_to_raw(kind).0), number, "{kind}");
+            assert_eq!(SceneLanguage::kind_from_raw(SceneLanguage::kind_to_raw(kind)), kind);
         }
     }
 }

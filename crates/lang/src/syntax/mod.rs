@@ -26,18 +26,18 @@ mod print;
 
 pub use build::{file, file_of, statement_tree};
 pub use context::{CallSite, Context, Expects, context_at};
-pub use kind::{NodeKind, Scene, SyntaxKind};
+pub use kind::{NodeKind, SceneLanguage, SyntaxKind};
 pub use print::Tree;
 pub use rowan::{Direction, GreenNode, NodeOrToken, TokenAtOffset, WalkEvent};
 
 use scenelang_base::TextRange;
 
 /// A node in its place.
-pub type SyntaxNode = rowan::SyntaxNode<Scene>;
+pub type SyntaxNode = rowan::SyntaxNode<SceneLanguage>;
 /// A leaf in its place.
-pub type SyntaxToken = rowan::SyntaxToken<Scene>;
+pub type SyntaxToken = rowan::SyntaxToken<SceneLanguage>;
 /// A node or a leaf.
-pub type SyntaxElement = rowan::SyntaxElement<Scene>;
+pub type SyntaxElement = rowan::SyntaxElement<SceneLanguage>;
 
 /// The tree of a text.
 pub fn parse(text: &str) -> SyntaxNode {

@@ -1,6 +1,6 @@
 //! Which ranges of a statement are nodes, from its typed tree; and the pairs of brackets, which that does not hold.
 
-use super::build::Piece;
+use super::build::NodeRange;
 use super::kind::NodeKind;
 use crate::ast::{Expr, ExprKind, Name, Stmt, StmtKind};
 use crate::parse::words::{Words, is_constructor};
@@ -8,15 +8,15 @@ use crate::token::Kind;
 use scenelang_base::TextRange;
 
 /// The nodes of a statement that parses.
-pub(super) fn statement(stmt: &Stmt, words: &Words, out: &mut Vec<Piece>) {
-    out.push(Piece { range: stmt.range, kind: NodeKind::from(&stmt.kind) });
+pub(super) fn statement(stmt: &Stmt, words: &Words, out: &mut Vec<NodeRange>) {
+    out.push(NodeRange { range: stmt.range, kind: NodeKind::from(&stmt.kind) });
     parts(stmt, out);
     out.extend(groups(words, usize::MAX).into_iter().map(|group| group.piece(words)));
 }
 
 /// Names, parameters, paths and expressions of a statement, outer ones before inner ones where both have one range.
-pub(super) fn parts(stmt: &Stmt, out: &mut Vec<Piece>) {
-    let mut push = |range, kind| out.push(Piece { range, kind });
+pub(super) fn parts(stmt: &Stmt, out: &mut Vec<NodeRange>) {
+    let mut push = |range, kind| out.push(NodeRange { range, kind });
     match &stmt.kind {
         StmtKind::Declare { name, .. } => push(name.range, NodeKind::Name),
         StmtKind::Assign { name, path, target, .. } => {
@@ -47,16 +47,16 @@ fn expression(expr: &Expr, push: &mut impl FnMut(TextRange, NodeKind)) {
 
 /// A pair of brackets, or one that does not close.
 #[derive(Clone, Copy)]
-pub(super) struct Group {
+pub(super) struct BracketPair {
     /// The opening bracket, counted in words.
     pub open: usize,
     /// The last word: the closing bracket, or what stands before the place where it is missed.
     pub last: usize,
 }
 
-impl Group {
+impl BracketPair {
     /// The brackets as a node; what kind depends on the word before them.
-    pub fn piece(self, words: &Words) -> Piece {
+    pub fn piece(self, words: &Words) -> NodeRange {
         let before = |n: usize| self.open.checked_sub(n).and_then(|at| words.kinds.get(at)).copied();
         let kind = match (words.kinds[self.open], before(1)) {
             (Kind::LBracket, _) => NodeKind::Brackets,
@@ -67,13 +67,13 @@ impl Group {
             (_, Some(kind)) if is_constructor(kind) => NodeKind::Arguments,
             _ => NodeKind::Parentheses,
         };
-        Piece { range: words.ranges[self.open].cover(words.ranges[self.last]), kind }
+        NodeRange { range: words.ranges[self.open].cover(words.ranges[self.last]), kind }
     }
 }
 
 /// The pairs of brackets after the attributes, not nested deeper than `deepest`. One that does not close ends where one
 /// around it does, or with the words.
-pub(super) fn groups(words: &Words, deepest: usize) -> Vec<Group> {
+pub(super) fn groups(words: &Words, deepest: usize) -> Vec<BracketPair> {
     let mut out = Vec::new();
     let mut open: Vec<usize> = Vec::new();
     for at in words.head..words.kinds.len() {
@@ -89,10 +89,10 @@ pub(super) fn groups(words: &Words, deepest: usize) -> Vec<Group> {
             _ => continue,
         };
         let Some(partner) = open.iter().rposition(|o| words.kinds[*o] == opening) else { continue };
-        out.extend(open.drain(partner + 1..).map(|open| Group { open, last: at - 1 }));
-        out.extend(open.pop().map(|open| Group { open, last: at }));
+        out.extend(open.drain(partner + 1..).map(|open| BracketPair { open, last: at - 1 }));
+        out.extend(open.pop().map(|open| BracketPair { open, last: at }));
     }
     let last = words.kinds.len().saturating_sub(1);
-    out.extend(open.into_iter().map(|open| Group { open, last }));
+    out.extend(open.into_iter().map(|open| BracketPair { open, last }));
     out
 }

@@ -1,6 +1,6 @@
 //! The joints of an asset, read and written: what of an object can be opened.
 
-use super::json::{Node, find};
+use super::json::{JsonNode, find};
 use super::read::Reader;
 use super::write::{Old, Out, number, numbers, text, triple};
 use crate::{Joint, Motion, Part};
@@ -14,7 +14,7 @@ const MOST: usize = 64;
 
 impl Reader<'_, '_> {
     /// The joints of an object, which has these parts; all are read before giving up, so that all errors are told.
-    pub(super) fn joints(&mut self, node: &Node, name: &str, parts: &[Part]) -> Option<Vec<Joint>> {
+    pub(super) fn joints(&mut self, node: &JsonNode, name: &str, parts: &[Part]) -> Option<Vec<Joint>> {
         let what = format!("`joints` of `{name}`");
         let Some(items) = node.items() else { return self.wrong(node, &what, "an array") };
         if items.len() > MOST {
@@ -31,7 +31,7 @@ impl Reader<'_, '_> {
     /// One joint. `taken` are the parts that move already, `names` the names that are given already.
     fn joint(
         &mut self,
-        node: &Node,
+        node: &JsonNode,
         name: &str,
         parts: usize,
         taken: &mut Vec<usize>,
@@ -75,7 +75,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn joint_name(&mut self, node: &Node, owner: &str, names: &mut Vec<SmolStr>) -> Option<SmolStr> {
+    fn joint_name(&mut self, node: &JsonNode, owner: &str, names: &mut Vec<SmolStr>) -> Option<SmolStr> {
         let name = SmolStr::from(self.text(node, &format!("`name` of {owner}"))?);
         if name.trim().is_empty() || names.contains(&name) {
             let wrong = if names.contains(&name) { "is already the name of another joint" } else { "is empty" };
@@ -87,7 +87,7 @@ impl Reader<'_, '_> {
     }
 
     /// Which parts move: at least one, each in one joint only.
-    fn moved(&mut self, node: &Node, owner: &str, parts: usize, taken: &mut Vec<usize>) -> Option<Vec<usize>> {
+    fn moved(&mut self, node: &JsonNode, owner: &str, parts: usize, taken: &mut Vec<usize>) -> Option<Vec<usize>> {
         let what = format!("`parts` of {owner}");
         let Some(items) = node.items() else { return self.wrong(node, &what, "an array of indices of parts") };
         if items.is_empty() {
@@ -117,7 +117,7 @@ impl Reader<'_, '_> {
         Some(found)
     }
 
-    fn limits(&mut self, node: &Node, what: &str) -> Option<[f64; 2]> {
+    fn limits(&mut self, node: &JsonNode, what: &str) -> Option<[f64; 2]> {
         let Some([low, high]) = node.items() else { return self.wrong(node, what, "two numbers") };
         let (low, high) = (self.length(low, what)?, self.length(high, what)?);
         if low > 0.0 || high <= 0.0 {
@@ -128,7 +128,7 @@ impl Reader<'_, '_> {
         Some([low, high])
     }
 
-    fn useful(&mut self, node: &Node, what: &str, limits: Option<[f64; 2]>) -> Option<f64> {
+    fn useful(&mut self, node: &JsonNode, what: &str, limits: Option<[f64; 2]>) -> Option<f64> {
         let useful = self.extent(node, what)?;
         if let Some([_, high]) = limits
             && useful > high

@@ -14,7 +14,7 @@ const MAX_FINDINGS: usize = 100;
 
 /// A value with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Node {
+pub struct JsonNode {
     /// What it is.
     pub value: Json,
     /// Where it stands.
@@ -33,7 +33,7 @@ pub enum Json {
     /// A string, escapes resolved.
     Text(String),
     /// Items in order.
-    Array(Vec<Node>),
+    Array(Vec<JsonNode>),
     /// Members in order, each key once.
     Object(Vec<Member>),
     /// Something was here that an error has been reported for.
@@ -48,10 +48,10 @@ pub struct Member {
     /// The key with its quotation marks.
     pub key_range: TextRange,
     /// The value.
-    pub node: Node,
+    pub node: JsonNode,
 }
 
-impl Node {
+impl JsonNode {
     /// The members, if it is an object.
     pub fn members(&self) -> Option<&[Member]> {
         match &self.value {
@@ -60,7 +60,7 @@ impl Node {
         }
     }
     /// The items, if it is an array.
-    pub fn items(&self) -> Option<&[Node]> {
+    pub fn items(&self) -> Option<&[JsonNode]> {
         match &self.value {
             Json::Array(items) => Some(items),
             _ => None,
@@ -120,7 +120,7 @@ impl Findings {
 }
 
 /// Reads a text; `None` where nothing of use came of it.
-pub fn parse(text: &str, findings: &mut Findings) -> Option<Node> {
+pub fn parse(text: &str, findings: &mut Findings) -> Option<JsonNode> {
     let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let mut parser = Parser { text, at: start, depth: 0, findings };
     parser.blanks();
@@ -184,7 +184,7 @@ impl Parser<'_, '_> {
         }
     }
 
-    fn value(&mut self) -> Result<Node, Stop> {
+    fn value(&mut self) -> Result<JsonNode, Stop> {
         let start = self.at;
         let value = match self.peek() {
             Some(b'{') => self.nested(Self::object)?,
@@ -203,7 +203,7 @@ impl Parser<'_, '_> {
                 return Err(Stop);
             }
         };
-        Ok(Node { value, range: TextRange::new(start, self.at) })
+        Ok(JsonNode { value, range: TextRange::new(start, self.at) })
     }
 
     fn nested(&mut self, read: fn(&mut Self) -> Result<Json, Stop>) -> Result<Json, Stop> {
@@ -331,7 +331,7 @@ impl Parser<'_, '_> {
         let node = if matches!(self.peek(), Some(b',' | b'}' | b']')) {
             let at = self.here();
             self.error(at, format!("the value of {key:?} is missing"));
-            Node { value: Json::Invalid, range: TextRange::empty(at.start) }
+            JsonNode { value: Json::Invalid, range: TextRange::empty(at.start) }
         } else {
             self.value()?
         };

@@ -37,7 +37,7 @@ pub struct ReadLayout {
 #[derive(Clone, Debug)]
 pub struct Document {
     text: String,
-    root: json::Node,
+    root: json::JsonNode,
     /// Starts of the entries that were understood, sorted.
     understood: Vec<u32>,
 }
@@ -71,7 +71,7 @@ pub fn read(text: &str, file: FileId) -> ReadLayout {
         json::parse(text, &mut findings)
     };
     let Some(root) = root else {
-        let nothing = json::Node { value: json::Json::Object(Vec::new()), range: TextRange::empty(0) };
+        let nothing = json::JsonNode { value: json::Json::Object(Vec::new()), range: TextRange::empty(0) };
         return ReadLayout {
             layout: Layout::default(),
             places: Places::nowhere(file),
@@ -80,7 +80,7 @@ pub fn read(text: &str, file: FileId) -> ReadLayout {
             usable: false,
         };
     };
-    let read::Document { layout, usable, understood } = read::document(text, &root, &mut findings);
+    let read::DocumentMembers { layout, usable, understood } = read::document(text, &root, &mut findings);
     let mut diagnostics = findings.list;
     diagnostics.sort_by_key(|d| d.primary.as_ref().map(|l| l.place.range.start));
     ReadLayout {

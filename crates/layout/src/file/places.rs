@@ -1,6 +1,6 @@
 //! Where everything in a layout file stands, for whoever finds fault with it later.
 
-use super::json::{Member, Node, find};
+use super::json::{JsonNode, Member, find};
 use scenelang_base::{FileId, Span, TextRange};
 use smol_str::SmolStr;
 use std::collections::HashMap;
@@ -80,7 +80,7 @@ pub struct Places {
 }
 
 impl Places {
-    pub(super) fn of(file: FileId, root: &Node) -> Self {
+    pub(super) fn of(file: FileId, root: &JsonNode) -> Self {
         let members = root.members().unwrap_or_default();
         let block = |key| Block::of(file, find(members, key).and_then(|m| m.node.members()).unwrap_or_default());
         Self {

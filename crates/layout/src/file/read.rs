@@ -1,8 +1,8 @@
 //! From the tree to a [`Layout`], with every check that needs no program.
 
-use super::json::{Findings, Json, Member, Node, find};
+use super::json::{Findings, Json, JsonNode, Member, find};
 use crate::convex::{MAX_HULL_POINTS, parts_fill_box};
-use crate::{Convex, Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
+use crate::{Convex, DecisionValue, Layout, Part, Placement, Polygon, RegionPlacement, Vec3};
 use scenelang_base::{Code, TextRange, codes};
 use smol_str::SmolStr;
 use std::collections::BTreeMap;
@@ -17,7 +17,7 @@ pub const LARGEST: f64 = 1e6;
 const TILT: f64 = 0.1;
 
 /// What the members of a document say.
-pub(super) struct Document {
+pub(super) struct DocumentMembers {
     pub layout: Layout,
     /// Whether this is a layout at all.
     pub usable: bool,
@@ -25,12 +25,12 @@ pub(super) struct Document {
     pub understood: Vec<u32>,
 }
 
-pub(super) fn document(text: &str, root: &Node, findings: &mut Findings) -> Document {
+pub(super) fn document(text: &str, root: &JsonNode, findings: &mut Findings) -> DocumentMembers {
     let mut reader = Reader { text, findings, understood: Vec::new() };
     let (layout, usable) = reader.document(root).unwrap_or_default();
     let mut understood = reader.understood;
     understood.sort_unstable();
-    Document { layout, usable, understood }
+    DocumentMembers { layout, usable, understood }
 }
 
 /// The categories that objects are given. Anything else under that key is kept like an unknown member.
@@ -54,14 +54,14 @@ impl Reader<'_, '_> {
         self.findings.add(code, at, message);
     }
     /// Says that a value is of the wrong type, unless an error in it has been reported.
-    pub(super) fn wrong<T>(&mut self, node: &Node, what: &str, wanted: &str) -> Option<T> {
+    pub(super) fn wrong<T>(&mut self, node: &JsonNode, what: &str, wanted: &str) -> Option<T> {
         if !node.is_spoilt() {
             self.error(codes::E0504, node.range, format!("{what} takes {wanted}, not {}", node.kind()));
         }
         None
     }
 
-    fn document(&mut self, root: &Node) -> Option<(Layout, bool)> {
+    fn document(&mut self, root: &JsonNode) -> Option<(Layout, bool)> {
         let Some(members) = root.members() else {
             if !root.is_spoilt() {
                 let at = TextRange { end: root.range.end.min(root.range.start + 1), ..root.range };
@@ -90,10 +90,10 @@ impl Reader<'_, '_> {
     }
 
     /// Whether to read on: it calls itself a layout, or looks like one.
-    fn format(&mut self, root: &Node, members: &[Member]) -> bool {
+    fn format(&mut self, root: &JsonNode, members: &[Member]) -> bool {
         match find(members, "format").map(|m| &m.node) {
-            Some(Node { value: Json::Text(format), .. }) if format == FORMAT => true,
-            Some(Node { value: Json::Text(_), range }) => {
+            Some(JsonNode { value: Json::Text(format), .. }) if format == FORMAT => true,
+            Some(JsonNode { value: Json::Text(_), range }) => {
                 self.error(codes::E0502, *range, format!("this is not a layout of the format {FORMAT:?}"));
                 false
             }
@@ -130,10 +130,10 @@ impl Reader<'_, '_> {
     }
 
     /// A value of the wrong type is left out: whether that is an error depends on the program.
-    fn variable(&mut self, member: &Member) -> Option<Value> {
+    fn variable(&mut self, member: &Member) -> Option<DecisionValue> {
         match &member.node.value {
-            Json::Number(n) => Some(Value::Number(*n)),
-            Json::Bool(b) => Some(Value::Bool(*b)),
+            Json::Number(n) => Some(DecisionValue::Number(*n)),
+            Json::Bool(b) => Some(DecisionValue::Bool(*b)),
             Json::Array(items) => {
                 let numbers: Option<Vec<f64>> = items
                     .iter()
@@ -142,7 +142,7 @@ impl Reader<'_, '_> {
                         _ => None,
                     })
                     .collect();
-                numbers?.try_into().ok().map(Value::Triple)
+                numbers?.try_into().ok().map(DecisionValue::Triple)
             }
             _ => None,
         }
@@ -227,7 +227,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn vertices(&mut self, node: &Node, name: &str) -> Option<Vec<[f64; 2]>> {
+    fn vertices(&mut self, node: &JsonNode, name: &str) -> Option<Vec<[f64; 2]>> {
         let what = format!("`vertices` of `{name}`");
         let Some(items) = node.items() else { return self.wrong(node, &what, "an array of pairs [x, z]") };
         let mut vertices = Vec::with_capacity(items.len());
@@ -246,7 +246,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn part(&mut self, node: &Node, name: &str) -> Option<Part> {
+    fn part(&mut self, node: &JsonNode, name: &str) -> Option<Part> {
         let members = self.members(node, &format!("a part of `{name}`"))?;
         let owner = format!("a part of `{name}`");
         let what = |key: &str| format!("`{key}` of {owner}");
@@ -293,11 +293,11 @@ impl Reader<'_, '_> {
     /// A member that must be there; if not, that is said at the brace around it.
     pub(super) fn required<'n>(
         &mut self,
-        node: &Node,
+        node: &JsonNode,
         members: &'n [Member],
         key: &str,
         owner: &str,
-    ) -> Option<&'n Node> {
+    ) -> Option<&'n JsonNode> {
         let found = find(members, key).map(|m| &m.node);
         if found.is_none() {
             let brace = TextRange::new(node.range.start as usize, node.range.start as usize + 1);
@@ -306,21 +306,21 @@ impl Reader<'_, '_> {
         found
     }
 
-    pub(super) fn members<'n>(&mut self, node: &'n Node, what: &str) -> Option<&'n [Member]> {
+    pub(super) fn members<'n>(&mut self, node: &'n JsonNode, what: &str) -> Option<&'n [Member]> {
         match node.members() {
             Some(members) => Some(members),
             None => self.wrong(node, &format!("`{what}`"), "an object"),
         }
     }
 
-    pub(super) fn text(&mut self, node: &Node, what: &str) -> Option<String> {
+    pub(super) fn text(&mut self, node: &JsonNode, what: &str) -> Option<String> {
         match &node.value {
             Json::Text(text) => Some(text.clone()),
             _ => self.wrong(node, what, "a string"),
         }
     }
 
-    fn seed(&mut self, node: &Node) -> Option<u64> {
+    fn seed(&mut self, node: &JsonNode) -> Option<u64> {
         let Json::Number(number) = node.value else { return self.wrong(node, "`seed`", "a whole number") };
         // Digits are read as such, since a double holds only 53 bits; `7.0` and `7e0` are whole numbers too.
         let digits = self.text[node.range.bytes()].parse::<u64>().ok();
@@ -332,12 +332,12 @@ impl Reader<'_, '_> {
         seed
     }
 
-    fn truth(&mut self, node: &Node, what: &str) -> Option<bool> {
+    fn truth(&mut self, node: &JsonNode, what: &str) -> Option<bool> {
         let Json::Bool(truth) = node.value else { return self.wrong(node, what, "true or false") };
         Some(truth)
     }
 
-    pub(super) fn number(&mut self, node: &Node, what: &str) -> Option<f64> {
+    pub(super) fn number(&mut self, node: &JsonNode, what: &str) -> Option<f64> {
         match node.value {
             Json::Number(number) => Some(number),
             _ => self.wrong(node, what, "a number"),
@@ -345,7 +345,7 @@ impl Reader<'_, '_> {
     }
 
     /// A number of metres or degrees, not absurd.
-    pub(super) fn length(&mut self, node: &Node, what: &str) -> Option<f64> {
+    pub(super) fn length(&mut self, node: &JsonNode, what: &str) -> Option<f64> {
         let number = self.number(node, what)?;
         if number.abs() > LARGEST {
             self.error(codes::E0505, node.range, format!("{what} must not exceed a million"));
@@ -355,7 +355,7 @@ impl Reader<'_, '_> {
     }
 
     /// A length that is more than nothing.
-    pub(super) fn extent(&mut self, node: &Node, what: &str) -> Option<f64> {
+    pub(super) fn extent(&mut self, node: &JsonNode, what: &str) -> Option<f64> {
         let number = self.length(node, what)?;
         if number <= 0.0 {
             self.error(codes::E0505, node.range, format!("{what} must be greater than 0"));
@@ -364,15 +364,20 @@ impl Reader<'_, '_> {
         Some(number)
     }
 
-    pub(super) fn triple(&mut self, node: &Node, what: &str) -> Option<Vec3> {
+    pub(super) fn triple(&mut self, node: &JsonNode, what: &str) -> Option<Vec3> {
         self.three(node, what, Self::length)
     }
 
-    fn extents(&mut self, node: &Node, what: &str) -> Option<Vec3> {
+    fn extents(&mut self, node: &JsonNode, what: &str) -> Option<Vec3> {
         self.three(node, what, Self::extent)
     }
 
-    fn three(&mut self, node: &Node, what: &str, read: fn(&mut Self, &Node, &str) -> Option<f64>) -> Option<Vec3> {
+    fn three(
+        &mut self,
+        node: &JsonNode,
+        what: &str,
+        read: fn(&mut Self, &JsonNode, &str) -> Option<f64>,
+    ) -> Option<Vec3> {
         match node.items() {
             Some(items @ [_, _, _]) => {
                 let read: Vec<Option<f64>> = items.iter().map(|n| read(self, n, what)).collect();

@@ -4,9 +4,9 @@
 //! line of their own, however long that is.
 
 use super::joints::joint;
-use super::json::{Json, Member, Node, find};
+use super::json::{Json, JsonNode, Member, find};
 use super::{Document, FORMAT};
-use crate::{Layout, Part, Placement, RegionPlacement, Value, Vec3};
+use crate::{DecisionValue, Layout, Part, Placement, RegionPlacement, Vec3};
 use scenelang_base::FileId;
 use scenelang_base::door::Door;
 use smol_str::SmolStr;
@@ -114,11 +114,11 @@ pub(super) fn triple<'a>(value: &Vec3) -> Out<'a> {
     numbers(value.as_slice())
 }
 
-fn value<'a>(value: &Value) -> Out<'a> {
+fn value<'a>(value: &DecisionValue) -> Out<'a> {
     match value {
-        Value::Number(n) => number(*n),
-        Value::Bool(b) => Out::Raw(b.to_string().into()),
-        Value::Triple(t) => numbers(t),
+        DecisionValue::Number(n) => number(*n),
+        DecisionValue::Bool(b) => Out::Raw(b.to_string().into()),
+        DecisionValue::Triple(t) => numbers(t),
     }
 }
 
@@ -163,7 +163,7 @@ fn part<'a>(part: &Part, old: Old<'a>) -> Out<'a> {
         known.push(("rot", (*rot != Vec3::zeros()).then(|| triple(rot))));
     }
     // What was said of a part of another shape is not about this one.
-    let same = matches!(old.member("shape").node, Some(Node { value: Json::Text(s), .. }) if s == shape);
+    let same = matches!(old.member("shape").node, Some(JsonNode { value: Json::Text(s), .. }) if s == shape);
     Out::Object(if same { old } else { Old { node: None, ..old } }.merged(known))
 }
 
@@ -182,24 +182,24 @@ fn region<'a>(region: &RegionPlacement, old: Old<'a>) -> Out<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Old<'a> {
     document: Option<&'a Document>,
-    node: Option<&'a Node>,
+    node: Option<&'a JsonNode>,
 }
 
 impl<'a> Old<'a> {
     fn members(self) -> &'a [Member] {
-        self.node.and_then(Node::members).unwrap_or_default()
+        self.node.and_then(JsonNode::members).unwrap_or_default()
     }
     fn member(self, key: &str) -> Self {
         Self { node: find(self.members(), key).map(|m| &m.node), ..self }
     }
     fn item(self, index: usize) -> Self {
-        Self { node: self.node.and_then(Node::items).and_then(|items| items.get(index)), ..self }
+        Self { node: self.node.and_then(JsonNode::items).and_then(|items| items.get(index)), ..self }
     }
     fn source(self, range: scenelang_base::TextRange) -> Cow<'a, str> {
         self.document.and_then(|d| d.text.get(range.bytes())).unwrap_or("null").into()
     }
     /// A value as it was, numbers and strings to the letter.
-    fn kept(self, node: &'a Node) -> Out<'a> {
+    fn kept(self, node: &'a JsonNode) -> Out<'a> {
         match &node.value {
             Json::Array(items) => Out::Array(items.iter().map(|n| self.kept(n)).collect()),
             Json::Object(members) => {
@@ -210,7 +210,7 @@ impl<'a> Old<'a> {
     }
 
     /// A new value, spelt as it was wherever it says the same as before.
-    fn as_written(self, new: Out<'a>, before: &'a Node) -> Out<'a> {
+    fn as_written(self, new: Out<'a>, before: &'a JsonNode) -> Out<'a> {
         match (new, &before.value) {
             (Out::Array(items), Json::Array(old)) if items.len() == old.len() => {
                 Out::Array(items.into_iter().zip(old).map(|(item, old)| self.as_written(item, old)).collect())

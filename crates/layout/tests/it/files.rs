@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use scenelang_base::{Code, FileId, codes::*};
 use scenelang_layout::file::{ReadLayout, decode, read};
-use scenelang_layout::{Part, Value, Vec3};
+use scenelang_layout::{DecisionValue, Part, Vec3};
 
 const GOOD: &str = r#"{ "format": "scenelang.layout/1",
   "scene": "room.scene",
@@ -42,8 +42,8 @@ fn a_good_file_is_read_whole() {
     assert_eq!((chair.surface, chair.parts.len()), (Some(0.45), 1));
     assert!(matches!(chair.parts[0], Part::Box { rot, .. } if rot == Vec3::zeros()));
     assert_eq!(l.region("office").unwrap().rot, Vec3::zeros());
-    let values: Vec<Value> = l.variables.iter().map(|v| v.1).collect();
-    assert_eq!(values, [Value::Number(1.0), Value::Bool(true), Value::Triple([1.0, 2.0, 3.0])]);
+    let values: Vec<DecisionValue> = l.variables.iter().map(|v| v.1).collect();
+    assert_eq!(values, [DecisionValue::Number(1.0), DecisionValue::Bool(true), DecisionValue::Triple([1.0, 2.0, 3.0])]);
     assert_eq!(l.draws, [("lamp.pos/0".to_owned(), 0.5)]);
 }
 

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use scenelang_base::FileId;
 use scenelang_layout::file::{read, to_json, write};
-use scenelang_layout::{Joint, Layout, Motion, Part, Placement, RegionPlacement, Value, Vec3};
+use scenelang_layout::{DecisionValue, Joint, Layout, Motion, Part, Placement, RegionPlacement, Vec3};
 
 fn number() -> impl Strategy<Value = f64> {
     prop_oneof![(-50i32..50).prop_map(|i| f64::from(i) / 8.0), -1e6..1e6f64, -1e-9..1e-9f64, Just(-0.0)]
@@ -83,11 +83,11 @@ fn region() -> impl Strategy<Value = RegionPlacement> {
     })
 }
 
-fn value() -> impl Strategy<Value = Value> {
+fn value() -> impl Strategy<Value = DecisionValue> {
     prop_oneof![
-        number().prop_map(Value::Number),
-        any::<bool>().prop_map(Value::Bool),
-        triple().prop_map(|t| Value::Triple(t.into())),
+        number().prop_map(DecisionValue::Number),
+        any::<bool>().prop_map(DecisionValue::Bool),
+        triple().prop_map(|t| DecisionValue::Triple(t.into())),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! Messages, as Anthropic has them.
 
-use super::{Answer, Call, Key, Question};
+use super::{Call, Key, Question, ReplyText};
 use crate::error::Error;
 use crate::message::{Message, Role};
 use serde::Deserialize;
@@ -65,7 +65,7 @@ impl Tokens {
     }
 }
 
-pub(super) fn read(body: &[u8]) -> Answer {
+pub(super) fn read(body: &[u8]) -> ReplyText {
     let got: Answered = super::envelope(body)?;
     match got.stop_reason.as_deref() {
         Some("max_tokens" | "model_context_window_exceeded") => return Err(Error::CutShort),

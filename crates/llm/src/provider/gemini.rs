@@ -1,6 +1,6 @@
 //! `generateContent`, as Google's Gemini has it.
 
-use super::{Answer, Call, Key, Question};
+use super::{Call, Key, Question, ReplyText};
 use crate::error::{Error, plain};
 use crate::message::{Message, Role};
 use serde::Deserialize;
@@ -84,7 +84,7 @@ struct Tokens {
     thoughts_token_count: u64,
 }
 
-pub(super) fn read(body: &[u8]) -> Answer {
+pub(super) fn read(body: &[u8]) -> ReplyText {
     let got: Generated = super::envelope(body)?;
     if let Some(reason) = got.prompt_feedback.and_then(|f| f.block_reason) {
         return Err(Error::Declined(plain(&reason, 100)));

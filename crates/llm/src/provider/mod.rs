@@ -42,7 +42,7 @@ impl Shape {
             Self::Ollama => ollama::write(question),
         }
     }
-    fn read(self, body: &[u8]) -> Answer {
+    fn read(self, body: &[u8]) -> ReplyText {
         match self {
             Self::OpenAi => openai::read(body),
             Self::Anthropic => anthropic::read(body),
@@ -86,13 +86,13 @@ pub fn providers() -> impl Iterator<Item = (&'static str, &'static [&'static str
 
 /// A model of a provider, as the user names it.
 #[derive(Clone, Debug)]
-pub struct Target {
+pub struct ModelName {
     provider: &'static Provider,
     model: String,
     base: String,
 }
 
-impl Target {
+impl ModelName {
     /// Reads `PROVIDER:NAME`, and a base URL that takes the place of the provider's own.
     ///
     /// # Errors
@@ -169,7 +169,7 @@ impl Part {
 
 /// What a shape needs to know to write a request.
 struct Question<'a> {
-    target: &'a Target,
+    target: &'a ModelName,
     request: &'a Request,
     left_out: &'a [Part],
 }
@@ -206,7 +206,7 @@ struct Call {
 }
 
 /// What a shape makes of an answer: the text, and the tokens if it says them (read, written).
-type Answer = Result<(String, Option<(u64, u64)>), Error>;
+type ReplyText = Result<(String, Option<(u64, u64)>), Error>;
 
 /// What is around an answer, read as a provider writes it.
 fn envelope<T: DeserializeOwned>(body: &[u8]) -> Result<T, Error> {
@@ -215,7 +215,7 @@ fn envelope<T: DeserializeOwned>(body: &[u8]) -> Result<T, Error> {
 
 /// A model over HTTP; one request for each question, and no second one.
 pub struct Remote {
-    target: Target,
+    target: ModelName,
     name: String,
     key: Option<Key>,
     http: Http,
@@ -228,7 +228,7 @@ impl Remote {
     /// # Errors
     /// The system has no certificates.
     pub fn new(
-        target: Target,
+        target: ModelName,
         key: Option<Key>,
         timeout: Duration,
         largest: u64,
@@ -316,7 +316,7 @@ pub struct Reach<'a> {
 /// A session with the model that the user names.
 ///
 /// # Errors
-/// It cannot even be tried: see [`Target`], or the recording cannot be read.
+/// It cannot even be tried: see [`ModelName`], or the recording cannot be read.
 pub fn connect(reach: &Reach<'_>, limits: impl FnOnce(&str) -> Limits) -> Result<Session, Error> {
     let clock = Box::new(SystemClock::new(reach.stop));
     if let Some(path) = reach.model.strip_prefix("replay:") {
@@ -324,7 +324,7 @@ pub fn connect(reach: &Reach<'_>, limits: impl FnOnce(&str) -> Limits) -> Result
         let limits = Limits { record: limits(replay.name()).record, ..Limits::default() };
         return Session::new(Box::new(replay), limits, clock);
     }
-    let target = Target::new(reach.model, reach.base)?;
+    let target = ModelName::new(reach.model, reach.base)?;
     let limits = limits(reach.model);
     let model: Box<dyn Model> = if reach.offline {
         Box::new(Offline(target.name()))
@@ -361,7 +361,7 @@ mod tests {
             ("openai:m", Some("https://a.example/?x=1"), Err("a base URL")),
             ("openai:m", Some("not a url"), Err("a base URL")),
         ] {
-            match (Target::new(text, base), wanted) {
+            match (ModelName::new(text, base), wanted) {
                 (Ok(target), Ok(name)) => assert_eq!(target.name(), name),
                 (Err(Error::Setup(why)), Err(part)) => assert!(why.contains(part), "{text}: {why}"),
                 (got, _) => panic!("{text}: {got:?}"),
@@ -371,7 +371,7 @@ mod tests {
 
     #[test]
     fn a_secret_in_a_url_is_not_repeated() {
-        let error = Target::new("openai:m", Some("https://user:secret@a.example")).unwrap_err();
+        let error = ModelName::new("openai:m", Some("https://user:secret@a.example")).unwrap_err();
         assert!(!format!("{error} {error:?}").contains("secret"), "{error:?}");
     }
 }

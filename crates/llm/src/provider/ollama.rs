@@ -1,6 +1,6 @@
 //! Ollama's own interface: unlike the one it shares with OpenAI, it takes a schema from every version that has one.
 
-use super::{Answer, Call, Question};
+use super::{Call, Question, ReplyText};
 use crate::error::Error;
 use crate::message::{Message, Role};
 use serde::Deserialize;
@@ -48,7 +48,7 @@ struct Said {
     content: String,
 }
 
-pub(super) fn read(body: &[u8]) -> Answer {
+pub(super) fn read(body: &[u8]) -> ReplyText {
     let got: Chatted = super::envelope(body)?;
     if got.done_reason.as_deref() == Some("length") {
         return Err(Error::CutShort);

@@ -1,6 +1,6 @@
 //! Chat completions, as OpenAI has them and many others since.
 
-use super::{Answer, Call, Key, Question};
+use super::{Call, Key, Question, ReplyText};
 use crate::error::{Error, plain};
 use crate::message::{Message, Role};
 use serde::Deserialize;
@@ -66,7 +66,7 @@ struct Tokens {
     completion_tokens: u64,
 }
 
-pub(super) fn read(body: &[u8]) -> Answer {
+pub(super) fn read(body: &[u8]) -> ReplyText {
     let got: Completion = super::envelope(body)?;
     let choice = got.choices.into_iter().next().ok_or_else(|| Error::Malformed("it has no choices".into()))?;
     match choice.finish_reason.as_deref() {

@@ -5,7 +5,7 @@ mod remote;
 mod server;
 mod sessions;
 
-use scenelang_llm::{Key, Message, Remote, Request, Role, Schema, Target};
+use scenelang_llm::{Key, Message, ModelName, Remote, Request, Role, Schema};
 use serde_json::json;
 use std::time::Duration;
 
@@ -33,7 +33,7 @@ fn remote(model: &str, url: &str, key: Option<&str>) -> Remote {
 
 /// The same with so much patience.
 fn remote_within(patience: Duration, model: &str, url: &str, key: Option<&str>) -> Remote {
-    let target = Target::new(model, Some(url)).unwrap();
+    let target = ModelName::new(model, Some(url)).unwrap();
     let key = key.map(|k| Key::new(k).unwrap());
     Remote::new(target, key, patience, 65_536, || false).unwrap()
 }

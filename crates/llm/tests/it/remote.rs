@@ -2,7 +2,7 @@
 
 use crate::server::{Act, Server};
 use crate::{question, remote, remote_within};
-use scenelang_llm::{Error, Image, Message, Model, Remote, Reply, Role, Target, Usage};
+use scenelang_llm::{Error, Image, Message, Model, ModelName, Remote, Reply, Role, Usage};
 use serde_json::{Value, json};
 use std::time::Duration;
 
@@ -232,7 +232,7 @@ fn nobody_there_is_an_error() {
 #[test]
 fn a_request_can_be_given_up() {
     let server = Server::new(vec![Act::Stalled]);
-    let target = Target::new("openai:m", Some(&server.url)).unwrap();
+    let target = ModelName::new("openai:m", Some(&server.url)).unwrap();
     let mut remote = Remote::new(target, None, Duration::from_secs(3600), 1000, || true).unwrap();
     assert_eq!(remote.ask(&question()), Err(Error::Interrupted));
 }

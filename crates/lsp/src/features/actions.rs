@@ -7,7 +7,7 @@ use crate::publish::mark;
 use crate::repair::{Wanted, repair};
 use crate::state::State;
 use scenelang_base::{Edit, TextRange};
-use scenelang_ide::actions::{self, Action, Detail, Ghost, Kind};
+use scenelang_ide::actions::{self, Action, ActionKind, Detail, Ghost};
 use scenelang_ide::diagnostics::Finding;
 use scenelang_ide::hints::unplaced;
 use scenelang_lang::program::ConstraintKind;
@@ -23,7 +23,7 @@ use tower_lsp::ls_types::{Range, Uri};
 
 /// Parameters of `textDocument/codeAction`.
 #[derive(Deserialize)]
-pub struct Asked {
+pub struct CodeActionRequest {
     #[serde(flatten)]
     within: Within,
     context: Reason,
@@ -38,7 +38,7 @@ struct Reason {
 const FIX_ALL: &str = "source.fixAll.scenelang";
 
 /// `textDocument/codeAction`
-pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
+pub fn actions(context: &Context, asked: &CodeActionRequest) -> Result<Value, Fault> {
     let range = context.bytes(asked.within.range);
     let only = asked.context.only.as_deref();
     let wanted = |kind: &str| {
@@ -90,10 +90,10 @@ pub fn actions(context: &Context, asked: &Asked) -> Result<Value, Fault> {
 /// An action as the protocol has it, with what finds it again where its edits are to be worked out.
 fn shown(context: &Context, action: &Action, range: Range) -> Value {
     let kind = match action.kind {
-        Kind::Fix => "quickfix",
-        Kind::Extract => "refactor.extract",
-        Kind::Inline => "refactor.inline",
-        Kind::Rewrite => "refactor.rewrite",
+        ActionKind::Fix => "quickfix",
+        ActionKind::Extract => "refactor.extract",
+        ActionKind::Inline => "refactor.inline",
+        ActionKind::Rewrite => "refactor.rewrite",
     };
     let mut out = json!({ "title": action.title, "kind": kind });
     if action.edits.is_empty() && context.client.resolves_edits {
@@ -240,7 +240,7 @@ impl State {
             }
         };
         let wanted = if program { Wanted::Program(line) } else { Wanted::Line(line) };
-        let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::Outcome| {
+        let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::JobOutcome| {
             // An action that does nothing when it is chosen looks like one that failed without a word.
             let Some(edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
             action["edit"] = edit;

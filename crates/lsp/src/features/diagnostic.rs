@@ -26,14 +26,14 @@ use tower_lsp::ls_types::{TextDocumentIdentifier, Uri};
 /// Parameters of `textDocument/diagnostic`.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Document {
+pub struct DiagnosticRequest {
     #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
     text_document: TextDocumentIdentifier,
     previous_result_id: Option<String>,
 }
 
 /// `textDocument/diagnostic`
-pub fn document(context: &Context, params: &Document) -> Result<Value, Fault> {
+pub fn document(context: &Context, params: &DiagnosticRequest) -> Result<Value, Fault> {
     let id = context.generation.to_string();
     if params.previous_result_id.as_deref() == Some(&id) {
         return Ok(json!({ "kind": "unchanged", "resultId": id }));

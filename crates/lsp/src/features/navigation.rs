@@ -5,9 +5,9 @@ use crate::disk;
 use crate::dispatch::{Context, Fault};
 use crate::pages;
 use scenelang_base::TextRange;
-use scenelang_ide::calls::{self, Item, Node};
+use scenelang_ide::calls::{self, CallNode, Item};
 use scenelang_ide::names::{Role, name_at};
-use scenelang_ide::navigate::{self, Target};
+use scenelang_ide::navigate::{self, NavigationTarget};
 use scenelang_ide::{Cancelled, Snapshot, hover as hovering, rename as renaming, symbols};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -23,7 +23,7 @@ pub fn hover(context: &Context, at: &At) -> Result<Value, Fault> {
     ))
 }
 
-type Find = fn(&Snapshot, u32) -> Result<Option<(TextRange, Target)>, Cancelled>;
+type Find = fn(&Snapshot, u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled>;
 
 /// `textDocument/definition`
 pub fn definition(context: &Context, at: &At) -> Result<Value, Fault> {
@@ -44,11 +44,11 @@ fn go(context: &Context, at: &At, find: Find) -> Result<Value, Fault> {
     let Some((origin, target)) = find(&context.snapshot, context.offset(at.position))? else { return Ok(Value::Null) };
     let places = context.places();
     let (uri, whole, name) = match target {
-        Target::File(span, whole) => {
+        NavigationTarget::File(span, whole) => {
             let Some(uri) = places.uri(span.file) else { return Ok(Value::Null) };
             (uri, places.range(whole.in_file(span.file)), places.range(span))
         }
-        Target::Library(file, name, whole) => {
+        NavigationTarget::Library(file, name, whole) => {
             let (path, text) = pages::library_file(file)?;
             let Some(uri) = disk::uri_of(&path) else { return Ok(Value::Null) };
             let text = crate::text::Text::new(text.to_owned());
@@ -171,7 +171,7 @@ pub fn prepare_calls(context: &Context, at: &At) -> Result<Value, Fault> {
 
 /// Parameters of the two questions about an item: what they were given before.
 #[derive(Deserialize)]
-pub struct Asked {
+pub struct HierarchyRequest {
     item: AskedItem,
 }
 
@@ -182,14 +182,14 @@ struct AskedItem {
 }
 
 /// `callHierarchy/incomingCalls`
-pub fn incoming(context: &Context, params: &Asked) -> Result<Value, Fault> {
+pub fn incoming(context: &Context, params: &HierarchyRequest) -> Result<Value, Fault> {
     let Some(node) = node(context, params)? else { return Ok(Value::Null) };
     let found = calls::incoming(&context.snapshot, &node)?;
     Ok(found.iter().map(|(item, places)| relation(context, "from", item, places)).collect())
 }
 
 /// `callHierarchy/outgoingCalls`
-pub fn outgoing(context: &Context, params: &Asked) -> Result<Value, Fault> {
+pub fn outgoing(context: &Context, params: &HierarchyRequest) -> Result<Value, Fault> {
     let Some(node) = node(context, params)? else { return Ok(Value::Null) };
     let found = calls::outgoing(&context.snapshot, &node)?;
     Ok(found.iter().map(|(item, places)| relation(context, "to", item, places)).collect())
@@ -201,7 +201,7 @@ fn relation(context: &Context, key: &str, item: &Item, places: &[TextRange]) -> 
 }
 
 /// The item of a question: what stands where it was shown.
-fn node(context: &Context, params: &Asked) -> Result<Option<Node>, Fault> {
+fn node(context: &Context, params: &HierarchyRequest) -> Result<Option<CallNode>, Fault> {
     let range = context.bytes(params.item.selection_range);
     let item = calls::item_at(&context.snapshot, range.start)?;
     Ok(item.filter(|item| item.name_range == range).map(|item| item.node))
@@ -209,9 +209,9 @@ fn node(context: &Context, params: &Asked) -> Result<Option<Node>, Fault> {
 
 fn shown(context: &Context, item: &Item) -> Value {
     let (kind, detail) = match &item.node {
-        Node::Name(_) => (19, ""),
-        Node::Constraint(_) => (24, "constraint"),
-        Node::Requirement(_) => (15, "requirement"),
+        CallNode::Name(_) => (19, ""),
+        CallNode::Constraint(_) => (24, "constraint"),
+        CallNode::Requirement(_) => (15, "requirement"),
     };
     json!({
         "name": item.name, "kind": kind, "detail": detail, "uri": context.uri,

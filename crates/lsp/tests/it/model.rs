@@ -3,7 +3,7 @@
 
 use crate::client::{Client, Model, at, edited, edits_of, room, usual};
 use scenelang_llm::Error;
-use scenelang_lsp::{Asked, Named, Setup};
+use scenelang_lsp::{ModelQuestion, Named, Setup};
 use scenelang_verify::settings::Llm;
 use serde_json::{Value, json};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -188,13 +188,13 @@ fn work_ends_when_the_text_changes() {
 /// How often the model of the settings was to be reached.
 static REACHED: AtomicUsize = AtomicUsize::new(0);
 
-fn reach(_: &Llm, _: &Named) -> Result<Option<Asked>, Error> {
+fn reach(_: &Llm, _: &Named) -> Result<Option<ModelQuestion>, Error> {
     REACHED.fetch_add(1, Ordering::SeqCst);
     Ok(None)
 }
 
 /// Says what it was asked for, and that there is no key.
-fn keyless(_: &Llm, named: &Named) -> Result<Option<Asked>, Error> {
+fn keyless(_: &Llm, named: &Named) -> Result<Option<ModelQuestion>, Error> {
     let Named { name, base_url } = named;
     Err(Error::Setup(format!(
         "no key for {} at {}",

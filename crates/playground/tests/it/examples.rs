@@ -8,7 +8,7 @@ use scenelang_base::owned::sealed_json;
 use scenelang_export::{Exporter, glb::Glb, preview};
 use scenelang_playground::Session;
 use scenelang_solve::Stop;
-use scenelang_synth::{Hold, Observer, Request, Solved, Stage};
+use scenelang_synth::{Hold, LayoutRequest, Observer, Solved, Stage};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ impl Observer for Quiet {
 fn by_command_line(path: &Path, stem: &str) -> Solved {
     let (name, layout_name, member) =
         (path.display().to_string(), format!("{stem}.layout.json"), format!("{stem}.scene"));
-    let request = Request {
+    let request = LayoutRequest {
         name: &name,
         path,
         files: &Door::of(path),

@@ -6,7 +6,7 @@ use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement, Vec3};
 use scenelang_solve::repair::{Alternative, Damaged, How, RepairOptions, Which, repair};
 use scenelang_verify::explain::{RowRef, SmallestMove};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::{Explain, Options};
 use std::collections::BTreeSet;
 
@@ -55,7 +55,7 @@ pub fn compare(program: &Program, layout: &Layout) -> Option<Compare> {
     let mut options = Options::default();
     options.detail.explain = Explain::default();
     let verdict = check(program, layout, &options);
-    let fails = verdict.rows.iter().filter(|r| r.satisfied == Some(false) && r.kind != Kind::Prefer);
+    let fails = verdict.rows.iter().filter(|r| r.satisfied == Some(false) && r.kind != RowKind::Prefer);
     let failing: Vec<(RowRef, Option<&SmallestMove>)> = fails
         .map(|r| (RowRef { kind: r.kind, subject: r.subject }, r.explanation.as_ref().and_then(|e| e.repair.as_ref())))
         .collect();

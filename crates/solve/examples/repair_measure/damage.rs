@@ -6,7 +6,7 @@ use scenelang_base::FileId;
 use scenelang_lang::Program;
 use scenelang_lang::compile::compile_text;
 use scenelang_layout::{Layout, Vec3, file};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::{Explain, Options, check};
 use std::path::{Path, PathBuf};
 
@@ -102,7 +102,7 @@ pub fn fails(program: &Program, layout: &Layout) -> bool {
     let mut options = Options::default();
     options.detail.explain = Explain::First(0);
     let verdict = check(program, layout, &options);
-    verdict.rows.iter().any(|r| r.satisfied != Some(true) && r.kind != Kind::Prefer)
+    verdict.rows.iter().any(|r| r.satisfied != Some(true) && r.kind != RowKind::Prefer)
 }
 
 fn unit(chance: &mut ChaCha8Rng) -> f64 {

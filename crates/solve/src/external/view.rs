@@ -1,6 +1,6 @@
 //! What a step of the solver from outside sees of a layout under search, and what it may propose.
 
-use crate::problem::What;
+use crate::problem::TermSubject;
 use crate::problem::pose::Pose;
 use scenelang_engine::candidate::Candidate;
 use scenelang_engine::frame::checks::Check;
@@ -19,7 +19,7 @@ pub struct View<'v> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Concern {
     /// What.
-    pub what: What,
+    pub what: TermSubject,
     /// Whether it must hold; else it is a preference.
     pub hard: bool,
     /// Whether it holds.
@@ -107,7 +107,7 @@ impl<'v> View<'v> {
         let constraint = &self.program().constraints[index];
         let truth = judge(&constraint.formula, self.world()).ok();
         Concern {
-            what: What::Stated(index),
+            what: TermSubject::Stated(index),
             hard: !matches!(constraint.kind, scenelang_lang::program::ConstraintKind::Prefer { .. }),
             holds: truth.is_some_and(|t| t.holds),
             margin: truth.map(|t| t.margin).filter(|m| m.is_finite()),
@@ -123,8 +123,8 @@ impl<'v> View<'v> {
                 let truth = judge(&term.formula, self.world()).ok();
                 Concern {
                     what: match term.opens {
-                        Some(id) => What::Open(self.name(id).into(), None),
-                        None => What::Stated(term.constraint),
+                        Some(id) => TermSubject::Open(self.name(id).into(), None),
+                        None => TermSubject::Stated(term.constraint),
                     },
                     hard: term.is_hard(),
                     holds: truth.is_some_and(|t| t.holds),
@@ -141,9 +141,9 @@ impl<'v> View<'v> {
         let world = self.world();
         let (what, truth) = match self.state.numbering.check(check) {
             Check::Term(_) => return None,
-            Check::Collide(a, b) => (What::Collision(name(a), name(b)), rules::collide::pair(world, a, b).ok()),
-            Check::Bounds(a) => (What::Bounds(name(a)), rules::bounds::object(world, a).ok()),
-            Check::Support(a) => (What::Support(name(a)), rules::support::object(world, a).ok()),
+            Check::Collide(a, b) => (TermSubject::Collision(name(a), name(b)), rules::collide::pair(world, a, b).ok()),
+            Check::Bounds(a) => (TermSubject::Bounds(name(a)), rules::bounds::object(world, a).ok()),
+            Check::Support(a) => (TermSubject::Support(name(a)), rules::support::object(world, a).ok()),
         };
         Some(Concern {
             what,

@@ -2,10 +2,10 @@
 
 use crate::problem::pose::round_to;
 use crate::problem::setup::Setup;
-use crate::problem::{Standing, Unsatisfied, What};
+use crate::problem::{Standing, TermSubject, Unsatisfied};
 use scenelang_engine::candidate::Candidate;
 use scenelang_lang::program::{ConstraintKind, ObjectId, Owner, Pinned, RegionId};
-use scenelang_layout::{Layout, Value, Vec3, digits};
+use scenelang_layout::{DecisionValue, Layout, Vec3, digits};
 use scenelang_verify::opening::Met;
 use scenelang_verify::{Options, Truth, World, judge, rules};
 use smol_str::SmolStr;
@@ -58,13 +58,13 @@ fn concerned(setup: &Setup<'_>, unsatisfied: &[Unsatisfied]) -> BTreeSet<ObjectI
     let mut found = BTreeSet::new();
     for each in unsatisfied {
         let names: Vec<&SmolStr> = match &each.what {
-            What::Stated(index) => {
+            TermSubject::Stated(index) => {
                 found.extend(setup.frame.program.constraints[*index].formula.objects());
                 continue;
             }
-            What::Collision(a, b) => vec![a, b],
-            What::Open(a, met) => std::iter::once(a).chain(met).collect(),
-            What::Bounds(a) | What::Support(a) => vec![a],
+            TermSubject::Collision(a, b) => vec![a, b],
+            TermSubject::Open(a, met) => std::iter::once(a).chain(met).collect(),
+            TermSubject::Bounds(a) | TermSubject::Support(a) => vec![a],
         };
         found.extend(setup.frame.objects().filter(|id| names.iter().any(|name| *name == setup.frame.name(*id))));
     }
@@ -95,11 +95,11 @@ pub(crate) fn compose(setup: &Setup<'_>, state: &Candidate<'_>, cut: impl Fn(Who
     }
     for (id, (_, value)) in scenelang_engine::frame::variables(state.frame.program).zip(&mut layout.variables) {
         *value = match state.world().variable(id) {
-            Ok(scenelang_verify::Value::Number(n)) => Value::Number(cut(Who::Other, n)),
+            Ok(scenelang_verify::Value::Number(n)) => DecisionValue::Number(cut(Who::Other, n)),
             Ok(scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v)) => {
-                Value::Triple(v.0.map(|x| cut(Who::Other, x)))
+                DecisionValue::Triple(v.0.map(|x| cut(Who::Other, x)))
             }
-            Ok(scenelang_verify::Value::Truth(t)) => Value::Bool(t.holds),
+            Ok(scenelang_verify::Value::Truth(t)) => DecisionValue::Bool(t.holds),
             Err(_) => *value,
         };
     }
@@ -112,7 +112,7 @@ pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options)
     let world = World::<f64>::new(program, layout, options);
     let mut found = Vec::new();
     let mut standings = Vec::new();
-    let mut note = |what: What, truth: Option<Truth<f64>>| {
+    let mut note = |what: TermSubject, truth: Option<Truth<f64>>| {
         if truth.is_none_or(|t| !t.holds) {
             found.push(Unsatisfied { what, margin: truth.map(|t| t.margin).filter(|m| m.is_finite()) });
         }
@@ -121,24 +121,24 @@ pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options)
         let truth = judge(&constraint.formula, &world).ok();
         let margin = truth.map(|t| t.margin).filter(|m| m.is_finite());
         standings.push(Standing { holds: truth.is_some_and(|t| t.holds), margin });
-        note(What::Stated(index), truth);
+        note(TermSubject::Stated(index), truth);
     }
     if let Some(scope) = &setup.frame.scope {
         let name = |id| setup.frame.name(id).into();
         for (a, b) in rules::pairs_within(&world, 0.0) {
             if scope.collide(a, b) {
-                note(What::Collision(name(a), name(b)), rules::collide::pair(&world, a, b).ok());
+                note(TermSubject::Collision(name(a), name(b)), rules::collide::pair(&world, a, b).ok());
             }
         }
         for id in setup.frame.objects() {
             if scope.bounds(id) && !program.regions.is_empty() {
-                note(What::Bounds(name(id)), rules::bounds::object(&world, id).ok());
+                note(TermSubject::Bounds(name(id)), rules::bounds::object(&world, id).ok());
             }
             match scope.support(id) {
-                rules::Support::Rests => note(What::Support(name(id)), rules::support::object(&world, id).ok()),
+                rules::Support::Rests => note(TermSubject::Support(name(id)), rules::support::object(&world, id).ok()),
                 rules::Support::Mounted => {
                     for mount in rules::mounts(&program.allow, id) {
-                        note(What::Support(name(id)), judge(&mount.formula, &world).ok());
+                        note(TermSubject::Support(name(id)), judge(&mount.formula, &world).ok());
                     }
                 }
                 rules::Support::Lifted | rules::Support::Held => {}
@@ -146,7 +146,7 @@ pub(crate) fn unsatisfied(setup: &Setup<'_>, layout: &Layout, options: &Options)
             for (part, _) in rules::open::demands(&world, id) {
                 let truth = rules::open::part(&world, id, part).ok();
                 if truth.is_none_or(|t| !t.holds) {
-                    note(What::Open(name(id), met(&world, setup, id, part)), truth);
+                    note(TermSubject::Open(name(id), met(&world, setup, id, part)), truth);
                 }
             }
         }
@@ -165,7 +165,9 @@ fn met(world: &World<f64>, setup: &Setup<'_>, id: ObjectId, part: u8) -> Option<
 /// Whether all of it is preferences.
 pub(crate) fn is_soft(setup: &Setup<'_>, all: &[Unsatisfied]) -> bool {
     all.iter().all(|u| match u.what {
-        What::Stated(index) => matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }),
+        TermSubject::Stated(index) => {
+            matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. })
+        }
         _ => false,
     })
 }
@@ -175,7 +177,7 @@ pub(crate) fn in_the_way(setup: &Setup<'_>, unsatisfied: &[Unsatisfied]) -> Vec<
     let mut found = Vec::new();
     for each in unsatisfied {
         match each.what {
-            What::Stated(index) => {
+            TermSubject::Stated(index) => {
                 if !matches!(setup.frame.program.constraints[index].kind, ConstraintKind::Prefer { .. }) {
                     found.push(index);
                 }

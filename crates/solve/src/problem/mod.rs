@@ -193,14 +193,14 @@ pub struct Outcome {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unsatisfied {
     /// What.
-    pub what: What,
+    pub what: TermSubject,
     /// By how much it fails: negative, metres or degrees; `None`: it has no metres, or cannot be judged.
     pub margin: Option<f64>,
 }
 
 /// A constraint of the program, or a physical rule with what it speaks of.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum What {
+pub enum TermSubject {
     /// An index into [`Program::constraints`]: an assertion, a pin, or a preference.
     Stated(usize),
     /// P-COLLIDE of two objects.

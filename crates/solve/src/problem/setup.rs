@@ -9,7 +9,7 @@ use scenelang_engine::frame::Frame;
 use scenelang_engine::frame::terms::{self, Term};
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId, VariableId, VariableKind};
-use scenelang_layout::{Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
+use scenelang_layout::{DecisionValue, Layout, Part, Placement, Polygon, RegionPlacement, Vec3};
 use scenelang_verify::{World, evaluate, rules::Scope};
 use smol_str::SmolStr;
 use std::collections::{BTreeMap, BTreeSet};
@@ -111,13 +111,13 @@ fn regions(problem: &Problem<'_>) -> Vec<(SmolStr, RegionPlacement)> {
     named.map(|(i, r)| (r.name.clone(), known(i, &r.name))).collect()
 }
 
-fn variables(problem: &Problem<'_>) -> Vec<(SmolStr, Value)> {
+fn variables(problem: &Problem<'_>) -> Vec<(SmolStr, DecisionValue)> {
     let warm = problem.placed != crate::problem::Placed::None;
     let value = |name: &str, kind: VariableKind| {
         let zero = match kind {
-            VariableKind::Number | VariableKind::Degree => Value::Number(0.0),
-            VariableKind::Bool => Value::Bool(false),
-            VariableKind::Vector | VariableKind::Rotation => Value::Triple([0.0; 3]),
+            VariableKind::Number | VariableKind::Degree => DecisionValue::Number(0.0),
+            VariableKind::Bool => DecisionValue::Bool(false),
+            VariableKind::Vector | VariableKind::Rotation => DecisionValue::Triple([0.0; 3]),
         };
         let old = problem.start.variables.iter().find(|(n, _)| n == name).map(|(_, v)| *v);
         old.filter(|v| warm && std::mem::discriminant(v) == std::mem::discriminant(&zero)).unwrap_or(zero)

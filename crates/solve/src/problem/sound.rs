@@ -2,7 +2,7 @@
 
 use crate::problem::Problem;
 use scenelang_layout::file::LARGEST;
-use scenelang_layout::{Layout, Part, Placement, Polygon, RegionPlacement, Value, Vec3};
+use scenelang_layout::{DecisionValue, Layout, Part, Placement, Polygon, RegionPlacement, Vec3};
 
 /// The problem without what cannot be used of its layout, and a sentence for each thing left out. `None`: all can be.
 pub(crate) fn sound<'a>(problem: &Problem<'a>) -> Option<(Problem<'a>, Vec<String>)> {
@@ -59,10 +59,10 @@ fn is_region(r: &RegionPlacement) -> bool {
     is_triple(&r.pos) && is_triple(&r.rot) && is_size(&r.scale) && r.vertices.as_ref().is_none_or(simple)
 }
 
-fn is_value(value: &Value) -> bool {
+fn is_value(value: &DecisionValue) -> bool {
     match value {
-        Value::Number(x) => is_number(*x),
-        Value::Triple(t) => t.iter().all(|x| is_number(*x)),
-        Value::Bool(_) => true,
+        DecisionValue::Number(x) => is_number(*x),
+        DecisionValue::Triple(t) => t.iter().all(|x| is_number(*x)),
+        DecisionValue::Bool(_) => true,
     }
 }

@@ -11,7 +11,7 @@ use scenelang_engine::frame::{Frame, variables_of_sizes};
 use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
 use scenelang_lang::program::Allowances;
-use scenelang_layout::{Layout, Value, Vec3};
+use scenelang_layout::{DecisionValue, Layout, Vec3};
 use scenelang_verify::World;
 use std::time::Duration;
 
@@ -44,9 +44,9 @@ pub(crate) fn choose(program: &Program, layout: &mut Layout, options: &Options) 
     }
     for (id, value) in local.trial.values() {
         layout.variables[id.0 as usize].1 = match value {
-            scenelang_verify::Value::Number(n) => Value::Number(n),
-            scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v) => Value::Triple(v.0),
-            scenelang_verify::Value::Truth(truth) => Value::Bool(truth.holds),
+            scenelang_verify::Value::Number(n) => DecisionValue::Number(n),
+            scenelang_verify::Value::Vector(v) | scenelang_verify::Value::Rotation(v) => DecisionValue::Triple(v.0),
+            scenelang_verify::Value::Truth(truth) => DecisionValue::Bool(truth.holds),
         };
     }
 }

@@ -7,8 +7,8 @@ use scenelang_lang::Program;
 use scenelang_layout::Layout;
 use scenelang_verify::check::Judged;
 use scenelang_verify::explain::RowRef;
-use scenelang_verify::report::model::Kind;
-use scenelang_verify::{Detail, Explain, Options, Verdict, check};
+use scenelang_verify::report::model::RowKind;
+use scenelang_verify::{CheckVerdict, Detail, Explain, Options, check};
 
 /// What is to be repaired, and what fails besides.
 pub(super) struct Judge<'a> {
@@ -20,7 +20,7 @@ pub(super) struct Judge<'a> {
     /// Rows that fail and are to hold.
     pub targets: Vec<RowRef>,
     /// The layout, judged.
-    pub verdict: Verdict,
+    pub verdict: CheckVerdict,
     /// All rows that fail.
     failing: FxHashSet<RowRef>,
 }
@@ -40,7 +40,7 @@ impl<'a> Judge<'a> {
         }
         let failing: Vec<RowRef> = verdict.rows.iter().filter(|r| r.satisfied == Some(false)).map(row).collect();
         let wanted = |r: &RowRef| match which {
-            Which::All => r.kind != Kind::Prefer,
+            Which::All => r.kind != RowKind::Prefer,
             Which::Rows(rows) => rows.contains(r),
         };
         Ok(Self {
@@ -87,7 +87,7 @@ impl<'a> Judge<'a> {
             if self.may_fail(&row) {
                 continue;
             }
-            if row.kind != Kind::Prefer || self.targets.contains(&row) {
+            if row.kind != RowKind::Prefer || self.targets.contains(&row) {
                 return None;
             }
             broken.push(row);

@@ -2,7 +2,7 @@
 //! still holds, else as far as it does; then to round numbers.
 
 use super::moves::changes;
-use super::room::Room;
+use super::room::RepairSearch;
 use crate::problem::pose::round_to;
 use crate::problem::pose::{Pose, half_turn, round_turn};
 use scenelang_engine::candidate::Change;
@@ -19,13 +19,13 @@ const GRIDS: [(f64, f64); 3] = [(0.01, 1.0), (0.001, 0.1), (0.0001, 0.01)];
 
 /// Takes back what is not needed of the layout under search, in which all that is wanted holds; as far as the work goes,
 /// where each look is dear.
-pub(super) fn shrink(room: &mut Room<'_, '_>) {
+pub(super) fn shrink(room: &mut RepairSearch<'_, '_>) {
     room.allow(WORK);
     for _ in 0..PASSES {
         let before = room.moved().len();
         // The farthest first: it is the most likely to have been moved for no reason.
         let mut moved = room.moved();
-        let way = |room: &Room<'_, '_>, id: ObjectId| room.travel(id, &room.search.state.pose(id));
+        let way = |room: &RepairSearch<'_, '_>, id: ObjectId| room.travel(id, &room.search.state.pose(id));
         moved.sort_by(|a, b| way(room, *b).total_cmp(&way(room, *a)).then(a.cmp(b)));
         for id in moved {
             home(room, id);
@@ -50,7 +50,7 @@ pub(super) fn shrink(room: &mut Room<'_, '_>) {
 }
 
 /// Puts an object back, alone or with what stands on it.
-fn home(room: &mut Room<'_, '_>, id: ObjectId) -> bool {
+fn home(room: &mut RepairSearch<'_, '_>, id: ObjectId) -> bool {
     let pose = room.poses[id.0 as usize];
     if room.hold(&[Change::Object(id, pose)]) {
         return true;
@@ -61,7 +61,7 @@ fn home(room: &mut Room<'_, '_>, id: ObjectId) -> bool {
 }
 
 /// Moves objects back together, each by the same part of its way.
-fn towards(room: &mut Room<'_, '_>, objects: &[ObjectId]) {
+fn towards(room: &mut RepairSearch<'_, '_>, objects: &[ObjectId]) {
     let ways: Vec<(ObjectId, Pose, Pose)> =
         objects.iter().map(|&id| (id, room.poses[id.0 as usize], room.search.state.pose(id))).collect();
     let (mut low, mut high) = (0.0, 1.0);
@@ -90,7 +90,7 @@ fn between(a: &Pose, b: &Pose, part: f64) -> Pose {
 }
 
 /// Gives the move of an object fewer and rounder numbers.
-fn round(room: &mut Room<'_, '_>, id: ObjectId) {
+fn round(room: &mut RepairSearch<'_, '_>, id: ObjectId) {
     let old = room.poses[id.0 as usize];
     let now = room.search.state.pose(id);
     for axis in 0..3 {
@@ -137,7 +137,7 @@ fn round(room: &mut Room<'_, '_>, id: ObjectId) {
 }
 
 /// Puts an object somewhere, with what stands on it, if all that is wanted holds then.
-fn put(room: &mut Room<'_, '_>, id: ObjectId, pose: Pose) -> bool {
+fn put(room: &mut RepairSearch<'_, '_>, id: ObjectId, pose: Pose) -> bool {
     let with = room.search.state.with_riders(id, pose);
     room.hold(&with)
 }

@@ -37,9 +37,9 @@ use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
 use scenelang_verify::check::Subject;
-use scenelang_verify::explain::{RowRef, Step};
+use scenelang_verify::explain::{ObjectMove, RowRef};
 use scenelang_verify::prove::{Contradiction, ProveOptions, prove};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use std::cmp::Ordering;
 use std::path::Path;
 use std::time::Duration;
@@ -172,11 +172,11 @@ pub struct Moved {
 
 impl Moved {
     /// The same as a step, to six digits after the point: the rest is noise.
-    pub fn step(&self) -> Step {
+    pub fn step(&self) -> ObjectMove {
         let rounded = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
         let by: [f64; 3] = (self.to.pos - self.from.pos).into();
         let turn = rounded(half_turn(self.to.rot.y - self.from.rot.y));
-        Step { object: self.object, by: by.map(rounded), turn, with: self.with }
+        ObjectMove { object: self.object, by: by.map(rounded), turn, with: self.with }
     }
 }
 
@@ -222,7 +222,7 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
 /// A smallest set of statements that no layout satisfies, if what is to be repaired belongs to one. No move can help then.
 fn contradiction(judge: &Judge<'_>, options: &RepairOptions) -> Option<Contradiction> {
     let stated = |row: &RowRef| match row.subject {
-        Subject::Statement(index) if row.kind != Kind::Prefer => Some(index),
+        Subject::Statement(index) if row.kind != RowKind::Prefer => Some(index),
         _ => None,
     };
     let stated: Vec<usize> = judge.targets.iter().filter_map(stated).collect();

@@ -2,7 +2,7 @@
 //! than is needed.
 
 use super::judge::Judge;
-use super::room::{self, Fixtures, Room, describe};
+use super::room::{self, Fixtures, RepairSearch, describe};
 use super::{Alternative, RepairOptions, least, whole};
 use crate::problem::pose::Pose;
 use crate::search::Snapshot;
@@ -41,7 +41,7 @@ fn made(judge: &Judge<'_>, repair: &SmallestMove) -> Option<Alternative> {
 pub(super) fn all(judge: &Judge<'_>, options: &RepairOptions, careless: bool) -> Vec<Alternative> {
     let solver = room::solver(options);
     let fixtures = Fixtures::new(judge);
-    let mut room = Room::new(judge, &fixtures, &solver, careless);
+    let mut room = RepairSearch::new(judge, &fixtures, &solver, careless);
     let mut found: Vec<Alternative> = Vec::new();
     if room.missing().is_empty() {
         // The rules of the program have put everything where it belongs.
@@ -58,7 +58,7 @@ pub(super) fn all(judge: &Judge<'_>, options: &RepairOptions, careless: bool) ->
 }
 
 /// Takes of each solution what is needed, and adds it to what was found if it repairs.
-fn gather(room: &mut Room<'_, '_>, solutions: Vec<Snapshot>, found: &mut Vec<Alternative>) {
+fn gather(room: &mut RepairSearch<'_, '_>, solutions: Vec<Snapshot>, found: &mut Vec<Alternative>) {
     for snapshot in solutions {
         room.search.restore(&snapshot);
         least::shrink(room);

@@ -15,10 +15,10 @@ use scenelang_engine::frame::terms;
 use scenelang_engine::frame::{Frame, variables};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::digits;
-use scenelang_layout::{Layout, Value as Written, Vec3};
+use scenelang_layout::{DecisionValue, Layout, Vec3};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::RowRef;
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::rules::Scope;
 use scenelang_verify::{Value, World};
 
@@ -52,7 +52,7 @@ impl<'a> Fixtures<'a> {
 }
 
 /// See the file.
-pub(super) struct Room<'r, 'a> {
+pub(super) struct RepairSearch<'r, 'a> {
     pub judge: &'r Judge<'a>,
     pub search: Search<'r>,
     /// The layout as the search has it: rules of the program obeyed.
@@ -69,7 +69,7 @@ pub(super) struct Room<'r, 'a> {
     judgement: u64,
 }
 
-impl<'r, 'a> Room<'r, 'a> {
+impl<'r, 'a> RepairSearch<'r, 'a> {
     /// With the layout in it. With `careless`, preferences may break.
     pub fn new(judge: &'r Judge<'a>, fixtures: &'r Fixtures<'a>, options: &'r Options, careless: bool) -> Self {
         let frame = &fixtures.frame;
@@ -265,8 +265,8 @@ impl<'r, 'a> Room<'r, 'a> {
             let name = &frame.program.variables[id.0 as usize].name;
             let Some((_, written)) = layout.variables.iter_mut().find(|(n, _)| n == name) else { continue };
             match (state.world().variable(id), &mut *written) {
-                (Ok(Value::Number(new)), Written::Number(old)) => *old = cut(new, *old),
-                (Ok(Value::Vector(new) | Value::Rotation(new)), Written::Triple(old)) => {
+                (Ok(Value::Number(new)), DecisionValue::Number(old)) => *old = cut(new, *old),
+                (Ok(Value::Vector(new) | Value::Rotation(new)), DecisionValue::Triple(old)) => {
                     *old = std::array::from_fn(|i| cut(new.0[i], old[i]));
                 }
                 _ => {}
@@ -339,18 +339,18 @@ fn before(world: &World<f64>, state: &Candidate<'_>, id: ObjectId) -> Pose {
 fn row_of(frame: &Frame<'_>, check: Check) -> RowRef {
     let (kind, subject) = match check {
         Check::Term(t) if frame.terms[t].opens.is_some() => {
-            (Kind::Open, Subject::Part(frame.terms[t].opens.unwrap_or(ObjectId(0)), 0))
+            (RowKind::Open, Subject::Part(frame.terms[t].opens.unwrap_or(ObjectId(0)), 0))
         }
         Check::Term(t) => {
-            let kind = if frame.terms[t].is_hard() { Kind::Assert } else { Kind::Prefer };
+            let kind = if frame.terms[t].is_hard() { RowKind::Assert } else { RowKind::Prefer };
             (kind, Subject::Statement(frame.terms[t].constraint))
         }
         Check::Collide(a, b) => {
             let sorted = frame.name(a) <= frame.name(b);
-            (Kind::Collision, if sorted { Subject::Pair(a, b) } else { Subject::Pair(b, a) })
+            (RowKind::Collision, if sorted { Subject::Pair(a, b) } else { Subject::Pair(b, a) })
         }
-        Check::Bounds(a) => (Kind::Bounds, Subject::Object(a)),
-        Check::Support(a) => (Kind::Support, Subject::Object(a)),
+        Check::Bounds(a) => (RowKind::Bounds, Subject::Object(a)),
+        Check::Support(a) => (RowKind::Support, Subject::Object(a)),
     };
     RowRef { kind, subject }
 }

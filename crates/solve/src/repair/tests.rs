@@ -14,8 +14,8 @@ use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Vec3, file};
 use scenelang_verify::Explain;
 use scenelang_verify::check::{Judged, Subject};
-use scenelang_verify::explain::{RowRef, Step};
-use scenelang_verify::report::model::Kind;
+use scenelang_verify::explain::{ObjectMove, RowRef};
+use scenelang_verify::report::model::RowKind;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -78,7 +78,7 @@ fn check_and_repair_offer_the_same_moves_and_these_break_nothing() {
             let asked = Damaged { program: &hurt.program, layout: &hurt.layout, text: None };
             let rows = failing(&hurt.program, &hurt.layout, Explain::default());
             let before: Vec<RowRef> = rows.iter().map(row).collect();
-            for judged in rows.iter().filter(|r| r.kind != Kind::Prefer).take(ROWS) {
+            for judged in rows.iter().filter(|r| r.kind != RowKind::Prefer).take(ROWS) {
                 let name = format!("{}, {}: {}", scene.display(), hurt.what, judged.text);
                 let offered = judged.explanation.as_ref().and_then(|e| e.repair.as_ref());
                 // What breaks something says so, and is not what repair offers.
@@ -86,7 +86,7 @@ fn check_and_repair_offer_the_same_moves_and_these_break_nothing() {
                 let found = repair(&asked, &Which::Rows(vec![row(judged)]), &RepairOptions::default()).unwrap();
                 let best = &found.alternatives[0];
                 assert_eq!(best.how, How::Moves, "{name}");
-                let mut steps: Vec<&Step> = offered.steps.iter().collect();
+                let mut steps: Vec<&ObjectMove> = offered.steps.iter().collect();
                 steps.sort_by_key(|step| step.object);
                 let objects = |ids: &mut dyn Iterator<Item = ObjectId>| ids.collect::<Vec<_>>();
                 let ours = objects(&mut steps.iter().map(|s| s.object));
@@ -234,13 +234,13 @@ fn a_pinned_object_goes_back_to_its_pin_and_a_preference_can_be_asked_for() {
     let mut hurt = layout(GOOD[0], GOOD[1], GOOD[2]);
     hurt.objects[0].1.pos.x = 0.3;
     let (found, words) = told(SCENE, &hurt, &Which::All);
-    assert!(found.failing.iter().any(|r| r.kind == Kind::Pin));
+    assert!(found.failing.iter().any(|r| r.kind == RowKind::Pin));
     assert_eq!(words[0], "Moves: sofa (-0.30, 0.00, 0.00)", "{words:?}");
-    let preference = |found: &Repaired| found.failing.iter().all(|r: &RowRef| r.kind == Kind::Prefer);
+    let preference = |found: &Repaired| found.failing.iter().all(|r: &RowRef| r.kind == RowKind::Prefer);
     let aside = layout([0.4, 0.0, -0.4], [0.4, 0.45, -0.4], GOOD[2]);
     let index = SCENE.lines().filter(|l| ["assert", "prefer"].iter().any(|k| l.starts_with(k))).count();
     let rows: Vec<RowRef> =
-        (0..index + 8).map(|i| RowRef { kind: Kind::Prefer, subject: Subject::Statement(i) }).collect();
+        (0..index + 8).map(|i| RowRef { kind: RowKind::Prefer, subject: Subject::Statement(i) }).collect();
     let (found, words) = told(SCENE, &aside, &Which::Rows(rows));
     assert!(preference(&found) && words[0].starts_with("Moves: table (-0.40, 0.00, 0.00)"), "{words:?}");
     assert!(told(SCENE, &aside, &Which::All).0.failing.is_empty());

@@ -7,9 +7,9 @@ use scenelang_lang::Program;
 use scenelang_lang::program::{Constraint, ConstraintKind, ObjectId};
 use scenelang_verify::Checked;
 use scenelang_verify::check::Subject;
-use scenelang_verify::explain::{RowRef, SmallestMove, Step, move_in_words};
+use scenelang_verify::explain::{ObjectMove, RowRef, SmallestMove, move_in_words};
 use scenelang_verify::prove::Contradiction;
-use scenelang_verify::report::{self, model::Place};
+use scenelang_verify::report::{self, model::SourceSpan};
 use serde_json::{Value, json};
 
 /// The rows that are meant by an id, or by a line of the program `main`.
@@ -40,7 +40,7 @@ pub fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, S
 
 /// What is said of alternatives.
 #[derive(Clone, Copy, Debug)]
-pub struct Told<'a> {
+pub struct AlternativesReport<'a> {
     /// The layout, judged.
     pub checked: &'a Checked,
     /// Its program.
@@ -49,7 +49,7 @@ pub struct Told<'a> {
     pub name: &'a str,
 }
 
-impl Told<'_> {
+impl AlternativesReport<'_> {
     fn object(&self, id: ObjectId) -> &str {
         &self.program.objects[id.0 as usize].name
     }
@@ -125,7 +125,7 @@ impl Told<'_> {
         let sources = &self.checked.sources;
         let mut parts = layout_in_words(self.program, a);
         let place = |edit: &Edit| {
-            let Place { file, start: [line, column], .. } = report::place(sources, edit.place);
+            let SourceSpan { file, start: [line, column], .. } = report::place(sources, edit.place);
             format!("{file}:{line}:{column}")
         };
         if a.how == How::Prefer {
@@ -168,7 +168,7 @@ pub fn title(program: &Program, sources: &SourceMap, a: &Alternative) -> String 
 /// What changes in the layout.
 fn layout_in_words(program: &Program, a: &Alternative) -> Vec<String> {
     let mut parts = Vec::new();
-    let steps: Vec<Step> = a.moves.iter().map(Moved::step).collect();
+    let steps: Vec<ObjectMove> = a.moves.iter().map(Moved::step).collect();
     if !steps.is_empty() {
         parts.push(move_in_words(program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
     }

@@ -3,7 +3,7 @@
 
 use super::RepairOptions;
 use super::moves::changes;
-use super::room::Room;
+use super::room::RepairSearch;
 use crate::pipeline::solve;
 use crate::problem::pose::Pose;
 use crate::problem::{Options, Placed, Problem};
@@ -24,7 +24,7 @@ const FRUITLESS: u64 = 4;
 const ANEW: [u64; 2] = [2, 4];
 
 /// Layouts in which nothing is missing.
-pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
+pub(super) fn search(room: &mut RepairSearch<'_, '_>, options: &RepairOptions) -> Vec<Snapshot> {
     let [here, anew] = PARTS.map(|part| (options.budget as f64 * part) as u64);
     let mut found: Vec<Snapshot> = Vec::new();
     let mut left = options.budget;
@@ -50,7 +50,7 @@ pub(super) fn search(room: &mut Room<'_, '_>, options: &RepairOptions) -> Vec<Sn
 
 /// A solution, of which only that is taken over which must be, and the work that it took.
 fn solved(
-    room: &mut Room<'_, '_>,
+    room: &mut RepairSearch<'_, '_>,
     options: &RepairOptions,
     placed: Placed,
     budget: u64,

@@ -3,7 +3,7 @@
 use crate::{ROOM, compiled};
 use scenelang_lang::program::ConstraintKind;
 use scenelang_layout::Layout;
-use scenelang_solve::{End, Options, Outcome, Placed, Problem, Stop, What, solve};
+use scenelang_solve::{End, Options, Outcome, Placed, Problem, Stop, TermSubject, solve};
 use std::ops::ControlFlow;
 use std::time::Duration;
 
@@ -70,7 +70,7 @@ fn few_statements_are_named_and_all_others_hold() {
             // The layout is the witness.
             let hard = |i: &usize| program.constraints[*i].kind == ConstraintKind::Assert;
             for failing in &outcome.unsatisfied {
-                let What::Stated(index) = failing.what else { panic!("{body}: {failing:?}") };
+                let TermSubject::Stated(index) = failing.what else { panic!("{body}: {failing:?}") };
                 assert!(outcome.in_the_way.contains(&index) || !hard(&index), "{body}: {failing:?}");
             }
             assert!(outcome.in_the_way.iter().all(|i| !outcome.constraints[*i].holds), "{body}");

@@ -1,7 +1,7 @@
 //! Input that nobody means well with: for each a diagnosis, and an end.
 
 use crate::{compiled, run_with};
-use scenelang_layout::{Layout, Placement, RegionPlacement, Value, Vec3};
+use scenelang_layout::{DecisionValue, Layout, Placement, RegionPlacement, Vec3};
 use scenelang_solve::{End, Options, Placed};
 
 /// Work for a scene that cannot be solved: enough to be sure that nothing runs away.
@@ -84,7 +84,7 @@ fn layout(dice: &mut Dice, names: &[String]) -> Layout {
         (dice.below(2) == 0).then(|| (0..dice.below(5)).map(|_| [dice.float(), dice.float()]).collect::<Vec<_>>());
     let room = RegionPlacement { pos: dice.vector(), rot: dice.vector(), scale: dice.vector(), vertices };
     layout.regions.push(("room".into(), room));
-    layout.variables.push(("space".into(), Value::Number(dice.float())));
+    layout.variables.push(("space".into(), DecisionValue::Number(dice.float())));
     layout.draws.push(("nobody/0".into(), dice.float()));
     layout
 }

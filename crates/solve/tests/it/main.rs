@@ -9,7 +9,7 @@ use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Compiled, Options as Reading, compile_text};
 use scenelang_layout::Layout;
 use scenelang_solve::{
-    Concern, End, Move, Options, Outcome, Placed, Problem, Proposal, Proposer, Steps, View, What, alternatives,
+    Concern, End, Move, Options, Outcome, Placed, Problem, Proposal, Proposer, Steps, TermSubject, View, alternatives,
     freedom, solve, solve_with,
 };
 use std::ops::ControlFlow;
@@ -192,7 +192,7 @@ struct Told {
 impl Proposer for Told {
     fn propose(&mut self, view: &View<'_>, batch: &[Concern], round: usize) -> Vec<Proposal> {
         assert!(!batch.is_empty() && batch.len() <= 3 && batch.iter().all(|c| !c.holds));
-        assert!(view.unsatisfied().iter().any(|c| matches!(c.what, What::Stated(_))));
+        assert!(view.unsatisfied().iter().any(|c| matches!(c.what, TermSubject::Stated(_))));
         self.rounds.push(round);
         self.moves.iter().map(|m| Proposal { moves: vec![*m] }).collect()
     }

@@ -15,14 +15,14 @@ use std::fmt::{Debug, Write};
 /// Sums of what goes into a stage, by what it is.
 pub type Inputs = BTreeMap<String, String>;
 /// What objects were given, by name.
-pub type Looks = BTreeMap<String, Look>;
+pub type Looks = BTreeMap<String, AssetInput>;
 
 /// So much of a statement names it.
 const NAMED: usize = 120;
 
 /// What an object was asked to be, and what it was given.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Look {
+pub struct AssetInput {
     /// Assigned text, or empty.
     pub category: String,
     /// Assigned text, or empty.
@@ -41,7 +41,7 @@ pub struct Look {
     pub library: String,
 }
 
-impl Look {
+impl AssetInput {
     /// What is asked for.
     pub fn asked(object: &Object, size: Vec3) -> Self {
         Self {
@@ -307,8 +307,8 @@ mod tests {
 
     #[test]
     fn a_look_says_what_differs() {
-        let old = Look { color: "oak".into(), size: [1.0, 2.0, 0.5], ..Look::default() };
-        let new = Look { color: "red".into(), size: [1.0, 2.0, 1.5], ..Look::default() };
+        let old = AssetInput { color: "oak".into(), size: [1.0, 2.0, 0.5], ..AssetInput::default() };
+        let new = AssetInput { color: "red".into(), size: [1.0, 2.0, 1.5], ..AssetInput::default() };
         assert_eq!(
             new.changes(&old),
             ["color has changed from \"oak\" to \"red\"", "size has changed from 1 × 2 × 0.5 m to 1 × 2 × 1.5 m"]

@@ -9,8 +9,8 @@ mod inputs;
 mod plan;
 mod why;
 
+pub use inputs::{AssetInput, Inputs, Looks};
 pub(crate) use inputs::{How, layout_inputs, prefers_otherwise, shape};
-pub use inputs::{Inputs, Look, Looks};
 pub use plan::{Format, Planned, own_names, planned};
 pub use why::{of_layout, of_program};
 

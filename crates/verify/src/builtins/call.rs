@@ -3,8 +3,8 @@
 use crate::eval::{Cause, EvalError, Value, Values};
 use crate::number::Algebra;
 use crate::vector::V3;
-use crate::world::{Room, Thing, World};
-use scenelang_lang::program::{Arg, BuiltIn, NodeId, ObjectId, Program, RegionId, Side};
+use crate::world::{ObjectInstance, RegionInstance, World};
+use scenelang_lang::program::{Arg, BuiltIn, NodeId, ObjectId, ObjectSide, Program, RegionId};
 
 /// See the file.
 #[derive(Clone, Copy)]
@@ -30,14 +30,14 @@ impl<'a, N: Algebra> Call<'a, N> {
         unreachable!("`{}` with arguments of the wrong types: {:?}", self.built_in.name(), self.args)
     }
     /// The object at an index.
-    pub(super) fn object(&self, index: usize) -> Result<(ObjectId, &'a Thing<N>), EvalError> {
+    pub(super) fn object(&self, index: usize) -> Result<(ObjectId, &'a ObjectInstance<N>), EvalError> {
         match self.args.get(index) {
             Some(Arg::Object(id)) => Ok((*id, self.world.object(*id).map_err(|c| self.fail(c))?)),
             _ => self.ill_typed(),
         }
     }
     /// The region at an index.
-    pub(super) fn region(&self, index: usize) -> Result<(RegionId, &'a Room<N>), EvalError> {
+    pub(super) fn region(&self, index: usize) -> Result<(RegionId, &'a RegionInstance<N>), EvalError> {
         match self.args.get(index) {
             Some(Arg::Region(id)) => Ok((*id, self.world.region(*id).map_err(|c| self.fail(c))?)),
             _ => self.ill_typed(),
@@ -64,7 +64,7 @@ impl<'a, N: Algebra> Call<'a, N> {
         }
     }
     /// The side at an index.
-    pub(super) fn side(&self, index: usize) -> Side {
+    pub(super) fn side(&self, index: usize) -> ObjectSide {
         match self.args.get(index) {
             Some(Arg::Side(side)) => *side,
             _ => self.ill_typed(),

@@ -10,8 +10,8 @@ use crate::eval::{EvalError, Truth};
 use crate::number::{Algebra, Number};
 use crate::prove::tape::{Claim, Term, all, any};
 use crate::prove::unknowns::{Unknowns, claimed};
-use crate::world::{Body, Thing, World};
-use scenelang_lang::program::{ObjectId, Program, RegionId, Side, Unit};
+use crate::world::{Body, ObjectInstance, World};
+use scenelang_lang::program::{ObjectId, ObjectSide, Program, RegionId, Unit};
 use scenelang_layout::planar::convex_hull;
 use scenelang_layout::polygon::Clearance;
 use scenelang_layout::{Convex, Nearest, Obb, Prism, Vec2, Vec3, convex, inside_clearance};
@@ -123,22 +123,22 @@ impl Semantics for Clear {
 }
 
 /// The axis that a side lies along, and which way.
-fn axis_of(side: Side) -> (usize, f64) {
+fn axis_of(side: ObjectSide) -> (usize, f64) {
     match side {
-        Side::Front => (2, 1.0),
-        Side::Behind => (2, -1.0),
-        Side::Left => (0, -1.0),
-        Side::Right => (0, 1.0),
-        Side::Above => (1, 1.0),
+        ObjectSide::Front => (2, 1.0),
+        ObjectSide::Behind => (2, -1.0),
+        ObjectSide::Left => (0, -1.0),
+        ObjectSide::Right => (0, 1.0),
+        ObjectSide::Above => (1, 1.0),
     }
 }
 
 /// The space beside something that stands upright, in proofs, as a thing of its own, without what is below the sill.
-fn upright_space(thing: &Thing<Term>, side: Side, depth: Term) -> Option<Thing<Term>> {
+fn upright_space(thing: &ObjectInstance<Term>, side: ObjectSide, depth: Term) -> Option<ObjectInstance<Term>> {
     let (axis, sign) = axis_of(side);
     let upright = thing.axes.0[1].0[1].known() == Some(1.0);
     let (height, depth) = (thing.scale.0[1].known()?, depth.known()?);
-    if !upright || side == Side::Above || depth <= 0.0 || height <= SILL {
+    if !upright || side == ObjectSide::Above || depth <= 0.0 || height <= SILL {
         return None;
     }
     let out = (thing.scale.0[axis] + Term::constant(depth)).scale(0.5 * sign);
@@ -146,11 +146,11 @@ fn upright_space(thing: &Thing<Term>, side: Side, depth: Term) -> Option<Thing<T
     let mut scale = thing.scale;
     scale.0[axis] = Term::constant(depth);
     scale.0[1] = Term::constant(height - SILL);
-    Some(Thing { pos, scale, ..thing.clone() })
+    Some(ObjectInstance { pos, scale, ..thing.clone() })
 }
 
 /// The space on a side, as a convex body; `None`: nothing is left of it.
-fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
+fn space(body: &Body, side: ObjectSide, depth: f64) -> Option<Convex> {
     let half = body.obb.half;
     let (axis, sign) = axis_of(side);
     if depth <= 0.0 {
@@ -161,7 +161,7 @@ fn space(body: &Body, side: Side, depth: f64) -> Option<Convex> {
     extent[axis] = depth / 2.0;
     let whole = Obb { center: body.obb.center + body.obb.axes * center, axes: body.obb.axes, half: extent };
     let sill = body.obb.aabb().min.y + SILL;
-    if side == Side::Above || whole.aabb().min.y >= sill {
+    if side == ObjectSide::Above || whole.aabb().min.y >= sill {
         return Some(Convex::from_box(&whole));
     }
     let up = body.obb.axes.column(1);
@@ -207,7 +207,7 @@ fn nearest_body<N: Number>(world: &World<N>, space: &Convex, own: ObjectId) -> O
 
 /// The region that the space must stay in: the one that best contains the object; before and behind a door the one on
 /// that side, if there is one.
-pub(crate) fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<(RegionId, &Prism)> {
+pub(crate) fn region_of<N: Number>(world: &World<N>, id: ObjectId, side: ObjectSide) -> Option<(RegionId, &Prism)> {
     let body = &world.object(id).ok()?.body;
     let contact = world.options.tolerances.contact;
     let Some(way) = leaves_door(world, id, side) else {
@@ -237,10 +237,10 @@ fn best_of<N: Number>(world: &World<N>, fit: impl Fn(&Prism) -> [f64; 2]) -> Opt
 }
 
 /// For the front and the back of an asserted door: the direction that leads out of it.
-fn leaves_door<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<Vec3> {
+fn leaves_door<N: Number>(world: &World<N>, id: ObjectId, side: ObjectSide) -> Option<Vec3> {
     let sign = match side {
-        Side::Front => 1.0,
-        Side::Behind => -1.0,
+        ObjectSide::Front => 1.0,
+        ObjectSide::Behind => -1.0,
         _ => return None,
     };
     let front = world.object(id).ok()?.body.obb.axes.column(2) * sign;
@@ -251,7 +251,7 @@ fn leaves_door<N: Number>(world: &World<N>, id: ObjectId, side: Side) -> Option<
 fn room_left<N: Number>(
     world: &World<N>,
     id: ObjectId,
-    side: Side,
+    side: ObjectSide,
     space: &Convex,
     prism: &Prism,
 ) -> (f64, Option<Clearance>) {

@@ -10,7 +10,7 @@ use crate::number::{Algebra, Number};
 use crate::prove::tape::Term;
 use crate::prove::unknowns::{Unknowns, claimed};
 use crate::vector::V3;
-use crate::world::{Room, Thing};
+use crate::world::{ObjectInstance, RegionInstance};
 use scenelang_lang::program::{Program, Unit};
 use scenelang_layout::{Vec2, Vec3};
 
@@ -86,7 +86,7 @@ impl Semantics for Connects {
 }
 
 /// How far the centre and the ends of a door's width are from the edges of a region, at most.
-fn off_wall<N: Number>(door: &Thing<N>, room: &Room<N>) -> N {
+fn off_wall<N: Number>(door: &ObjectInstance<N>, room: &RegionInstance<N>) -> N {
     let half = door.axes.0[0].times(door.scale.0[0].scale(0.5));
     let center = door.center();
     let off = |point: V3<N>| {

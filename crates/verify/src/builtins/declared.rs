@@ -2,7 +2,7 @@
 
 use crate::tolerances::Tolerances;
 use scenelang_base::Code;
-use scenelang_lang::program::{Arg, Formula, Node, ObjectId, Side, Unit};
+use scenelang_lang::program::{Arg, Formula, Node, ObjectId, ObjectSide, Unit};
 
 /// A tolerance that is part of a margin; `None`: there is none.
 pub type Slack = Option<fn(&Tolerances) -> f64>;
@@ -33,7 +33,7 @@ pub enum Surroundings {
         /// Whose.
         owner: ObjectId,
         /// On which side.
-        side: Side,
+        side: ObjectSide,
         /// How deep it is (metres); `None`: that is no constant.
         depth: Option<f64>,
     },
@@ -114,7 +114,7 @@ impl Given<'_> {
         }
     }
     /// The side at an index.
-    pub fn side(&self, index: usize) -> Side {
+    pub fn side(&self, index: usize) -> ObjectSide {
         match self.args.get(index) {
             Some(Arg::Side(side)) => *side,
             _ => self.ill_typed(),

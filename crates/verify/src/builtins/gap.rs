@@ -10,7 +10,7 @@ use crate::number::{Algebra, Number};
 use crate::prove::tape::{Term, any};
 use crate::prove::unknowns::{ANY, EXACT, OUT_OF_BOX, Unknowns};
 use crate::vector::V3;
-use crate::world::{Body, Thing};
+use crate::world::{Body, ObjectInstance};
 use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
 use scenelang_layout::convex::nearest_of;
 use scenelang_layout::{Separation, Vec2, Vec3, obb};
@@ -90,7 +90,7 @@ pub(crate) fn in_words(a: &str, b: &str, gap: f64) -> String {
 }
 
 /// The gap between the solids of two objects: 0 when they touch, negative when they overlap (metres).
-pub fn between<N: Number>(a: &Thing<N>, b: &Thing<N>) -> N {
+pub fn between<N: Number>(a: &ObjectInstance<N>, b: &ObjectInstance<N>) -> N {
     let (separation, parts) = separation(&a.body, &b.body);
     N::measured(separation.gap, || {
         // The direction is the best one, so that turning it changes nothing to first order: only the points move.

@@ -10,7 +10,7 @@ use crate::prove::tape::{Claim, Term, all};
 use crate::prove::unknowns::{Unknowns, claimed};
 use crate::tolerances::Tolerances;
 use crate::vector::V3;
-use crate::world::{Room, Thing};
+use crate::world::{ObjectInstance, RegionInstance};
 use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
 use scenelang_layout::planar::nearest_on_segment;
 use scenelang_layout::polygon::Clearance;
@@ -95,27 +95,32 @@ impl Semantics for Inside {
 }
 
 /// Whether the box of an object is in a region.
-pub fn in_region<N: Number>(thing: &Thing<N>, room: &Room<N>, tolerances: &Tolerances) -> Truth<N> {
+pub fn in_region<N: Number>(thing: &ObjectInstance<N>, room: &RegionInstance<N>, tolerances: &Tolerances) -> Truth<N> {
     let [floor, ceiling] = heights(thing, room);
     let least = clearance_in_region(thing, room).min(floor).min(ceiling);
     Truth::metres(least + N::constant(tolerances.contact), tolerances.order)
 }
 
 /// How far the box of an object is above the floor of a region, and below its ceiling.
-pub(super) fn heights<N: Algebra>(thing: &Thing<N>, room: &Room<N>) -> [N; 2] {
+pub(super) fn heights<N: Algebra>(thing: &ObjectInstance<N>, room: &RegionInstance<N>) -> [N; 2] {
     let (center, reach) = (thing.center(), thing.reach());
     [(center - reach).0[1] - room.pos.0[1], room.pos.0[1] + room.scale.0[1] - (center + reach).0[1]]
 }
 
 /// The same of a box whose clearance from the walls is known, as code takes it.
-fn with_heights(aside: Term, thing: &Thing<Term>, room: &Room<Term>, tolerances: &Tolerances) -> Truth<Term> {
+fn with_heights(
+    aside: Term,
+    thing: &ObjectInstance<Term>,
+    room: &RegionInstance<Term>,
+    tolerances: &Tolerances,
+) -> Truth<Term> {
     let [floor, ceiling] = heights(thing, room);
     let least = floor.min(ceiling).min(aside);
     Truth::metres(least + Term::constant(tolerances.contact), tolerances.order)
 }
 
 /// The horizontal clearance of an object's box from the walls of a region, negative outside, without tolerance.
-pub(super) fn clearance_in_region<N: Number>(thing: &Thing<N>, room: &Room<N>) -> N {
+pub(super) fn clearance_in_region<N: Number>(thing: &ObjectInstance<N>, room: &RegionInstance<N>) -> N {
     let footprint = thing.body.obb.footprint();
     let clearance = room.prism.polygon.clearance(&footprint);
     N::measured(clearance.value, || {
@@ -147,18 +152,22 @@ pub(super) fn over(obb: &Obb, at: Vec2) -> Vec3 {
 }
 
 /// How a point of the footprint of a box moves along a direction in the plane, with the box.
-pub(super) fn moving<N: Number>(thing: &Thing<N>, at: Vec2, way: Vec2) -> N {
+pub(super) fn moving<N: Number>(thing: &ObjectInstance<N>, at: Vec2, way: Vec2) -> N {
     thing.attached_to_box(&over(&thing.body.obb, at)).along(&Vec3::new(way.x, 0.0, way.y))
 }
 
 /// The nearest point of the wall, along the way in.
-pub(super) fn wall_along<N: Number>(room: &Room<N>, clearance: &Clearance) -> N {
+pub(super) fn wall_along<N: Number>(room: &RegionInstance<N>, clearance: &Clearance) -> N {
     let [x, z] = room.attached(clearance.wall.x, clearance.wall.y);
     x.scale(clearance.inward.x) + z.scale(clearance.inward.y)
 }
 
 /// Whether the box of an object is in the box of another.
-pub(crate) fn in_box<N: Algebra>(thing: &Thing<N>, outer: &Thing<N>, tolerances: &Tolerances) -> Truth<N> {
+pub(crate) fn in_box<N: Algebra>(
+    thing: &ObjectInstance<N>,
+    outer: &ObjectInstance<N>,
+    tolerances: &Tolerances,
+) -> Truth<N> {
     let between = thing.center() - outer.center();
     let clearance = |axis: usize| {
         let way = outer.axes.0[axis];
@@ -186,7 +195,7 @@ pub(crate) fn in_proofs(facts: &mut Unknowns<'_>, object: ObjectId, region: Regi
 
 /// The least clearance of a box from the planes of the walls of a convex region. That is what
 /// [`in_region`] measures of what is inside; of what is outside both say so.
-fn clearance_in_convex(thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
+fn clearance_in_convex(thing: &ObjectInstance<Term>, room: &RegionInstance<Term>) -> Option<Term> {
     let polygon = &room.prism.polygon;
     if !polygon.is_convex() {
         return None;

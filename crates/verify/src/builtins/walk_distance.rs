@@ -11,7 +11,7 @@ use crate::number::{Algebra, Number};
 use crate::prove::interval::Interval;
 use crate::prove::tape::Term;
 use crate::prove::unknowns::Unknowns;
-use crate::world::{Thing, World};
+use crate::world::{ObjectInstance, World};
 use scenelang_lang::program::{Program, Unit};
 
 /// Longer than any way that could be compared with anything (metres).
@@ -58,7 +58,7 @@ impl Semantics for WalkDistance {
 }
 
 /// How the length of a way grows as its ends move, and the objects round which it bends.
-fn lengthening<N: Number>(world: &World<N>, [a, b]: [&Thing<N>; 2], path: &Path) -> N {
+fn lengthening<N: Number>(world: &World<N>, [a, b]: [&ObjectInstance<N>; 2], path: &Path) -> N {
     let step = |i: usize| (path.points[i + 1] - path.points[i]).try_normalize(1e-12).unwrap_or_default();
     let Some(last) = path.points.len().checked_sub(2) else { return N::constant(0.0) };
     let mut sum = moving(b, path.points[last + 1], step(last)) - moving(a, path.points[0], step(0));

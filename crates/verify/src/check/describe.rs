@@ -103,7 +103,7 @@ pub(super) fn declarations(program: &Program, world: &World<f64>, objects: &[Obj
     const MOST: usize = 4;
     let label = |&id: &ObjectId| {
         let object = &program.objects[id.0 as usize];
-        Some(Label { place: object.span, message: explain::Place::of(program, world, id)?.text })
+        Some(Label { place: object.span, message: explain::ObjectPlace::of(program, world, id)?.text })
     };
     objects.iter().take(MOST).filter_map(label).collect()
 }

@@ -6,7 +6,7 @@ use scenelang_base::suggest::nearest;
 use scenelang_base::{Applicability, Diagnostic, codes};
 use scenelang_lang::program::{Object, Program, VariableKind};
 use scenelang_layout::file::{Block, Entry, LARGEST};
-use scenelang_layout::{Layout, Places, ReadLayout, Value};
+use scenelang_layout::{DecisionValue, Layout, Places, ReadLayout};
 use smol_str::SmolStr;
 
 /// So many entries of a block are told of.
@@ -124,15 +124,15 @@ fn variables(program: &Program, layout: &Layout, places: &Places, out: &mut Vec<
         };
         let value = layout.variables.iter().find(|(name, _)| *name == entry.name).map(|(_, value)| *value);
         let (fits, wanted) = match variable.kind {
-            VariableKind::Number => (matches!(value, Some(Value::Number(_))), "a number"),
-            VariableKind::Degree => (matches!(value, Some(Value::Number(_))), "a number of degrees"),
-            VariableKind::Bool => (matches!(value, Some(Value::Bool(_))), "true or false"),
-            VariableKind::Vector => (matches!(value, Some(Value::Triple(_))), "three numbers"),
-            VariableKind::Rotation => (matches!(value, Some(Value::Triple(_))), "three numbers of degrees"),
+            VariableKind::Number => (matches!(value, Some(DecisionValue::Number(_))), "a number"),
+            VariableKind::Degree => (matches!(value, Some(DecisionValue::Number(_))), "a number of degrees"),
+            VariableKind::Bool => (matches!(value, Some(DecisionValue::Bool(_))), "true or false"),
+            VariableKind::Vector => (matches!(value, Some(DecisionValue::Triple(_))), "three numbers"),
+            VariableKind::Rotation => (matches!(value, Some(DecisionValue::Triple(_))), "three numbers of degrees"),
         };
         let large = match value {
-            Some(Value::Number(n)) => n.abs() > LARGEST,
-            Some(Value::Triple(t)) => t.iter().any(|n| n.abs() > LARGEST),
+            Some(DecisionValue::Number(n)) => n.abs() > LARGEST,
+            Some(DecisionValue::Triple(t)) => t.iter().any(|n| n.abs() > LARGEST),
             _ => false,
         };
         let finding = if !fits {

@@ -17,7 +17,7 @@ pub use physical::{GAPS_FOLLOWED, LISTED, Ruled, Rules, too_dense};
 use crate::eval::Cause;
 use crate::explain::{Explanation, RowRef};
 use crate::opening;
-use crate::report::model::{Kind, Summary, Unlisted};
+use crate::report::model::{RowKind, Summary, Unlisted};
 use crate::report::{Report, build};
 use crate::rules::open;
 use crate::tolerances::Options;
@@ -29,7 +29,7 @@ use smol_str::SmolStr;
 
 /// A judgement: rows, counts, and what could not be judged or looks odd. Places are absolute.
 #[derive(Clone, Debug, Default)]
-pub struct Verdict {
+pub struct CheckVerdict {
     /// Stated constraints in source order, then physical ones.
     pub rows: Vec<Judged>,
     /// How many there are of each kind, listed or not, and how many hold.
@@ -59,7 +59,7 @@ pub enum Subject {
 #[derive(Clone, Debug)]
 pub struct Judged {
     /// What kind of constraint.
-    pub kind: Kind,
+    pub kind: RowKind,
     /// What it is about.
     pub subject: Subject,
     /// Whether it holds; `None`: cannot be judged.
@@ -113,7 +113,7 @@ pub struct Checked {
     /// The layout, if the file is one that could be read.
     pub layout: Option<Layout>,
     /// Rows and diagnostics, those of the program and of the layout file included.
-    pub verdict: Verdict,
+    pub verdict: CheckVerdict,
     /// The same as a report.
     pub report: Report,
 }
@@ -121,7 +121,7 @@ pub struct Checked {
 impl Checked {
     /// A file that nothing more can be said of than these diagnostics; places in them refer to `sources`.
     pub fn refused(name: &str, sources: SourceMap, diagnostics: Vec<Diagnostic>, options: &Options) -> Self {
-        let verdict = Verdict { diagnostics, ..Verdict::default() };
+        let verdict = CheckVerdict { diagnostics, ..CheckVerdict::default() };
         let report = build(name, &verdict, None, &sources, options);
         Self { sources, program: None, layout: None, verdict, report }
     }
@@ -142,19 +142,24 @@ impl Checked {
 }
 
 /// Judges a layout that was read without its file: what is wrong with a draw is said in the program.
-pub fn check(program: &Program, layout: &Layout, options: &Options) -> Verdict {
+pub fn check(program: &Program, layout: &Layout, options: &Options) -> CheckVerdict {
     judged(program, layout, None, options).0
 }
 
 /// The same, with the instance that was judged. `places` says where the values of the layout stand.
-pub fn judged(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> (Verdict, World<f64>) {
+pub fn judged(
+    program: &Program,
+    layout: &Layout,
+    places: Option<&Places>,
+    options: &Options,
+) -> (CheckVerdict, World<f64>) {
     let mut world = World::new(program, layout, options);
     if let Some(places) = places {
         refuse(program, &mut world, places);
     }
-    let mut verdict = Verdict::default();
+    let mut verdict = CheckVerdict::default();
     draws::check(program, &mut world, places, &mut verdict.diagnostics);
-    let mut physical = Verdict::default();
+    let mut physical = CheckVerdict::default();
     // They ask each other nothing. A thread of its own takes longer to begin than a room takes to judge.
     let large = program.objects.len() + program.constraints.len() > 2_000;
     std::thread::scope(|scope| {

@@ -3,12 +3,12 @@
 //! A row is null, not failed, where its object is missing, or where something that is missing could make it hold.
 
 use super::describe::{declarations, number};
-use super::{Judged, Subject, Verdict};
+use super::{CheckVerdict, Judged, Subject};
 use crate::builtins;
 use crate::eval::{Cause, EvalError, Truth, judge as judge_formula};
 use crate::explain::{self, Explanation};
 use crate::opening::{self, LOOKS, Met};
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use crate::rules::support::{self, Rest};
 use crate::rules::{Columns, Scope, Support, bounds, collide, mounts, open, pairs_up_to};
 use crate::world::World;
@@ -30,7 +30,7 @@ pub const LISTED: usize = 1_000;
 /// Of no more pairs than this those that hold are listed, where all that holds is to be listed.
 const PAIRS_LISTED: usize = 100_000;
 
-pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
+pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut CheckVerdict) {
     let rules = Rules::new(program, world);
     let near = pairs_up_to(world, rules.reach(), GAPS);
     let (total, there) = rules.pairs(world);
@@ -105,7 +105,7 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict
 }
 
 /// P-OPEN of every part that has to open; how many of them were not tried, there being too many.
-fn judge_opening(program: &Program, world: &World<f64>, rules: &Rules<'_>, verdict: &mut Verdict) -> usize {
+fn judge_opening(program: &Program, world: &World<f64>, rules: &Rules<'_>, verdict: &mut CheckVerdict) -> usize {
     let first = verdict.rows.len();
     let (mut left, mut untried) = (SWEEPS, 0);
     for id in ids(program) {
@@ -263,7 +263,7 @@ impl<'a> Rules<'a> {
         let outcome = collide::pair(world, a, b).ok();
         let (a, b) = if self.name(a) <= self.name(b) { (a, b) } else { (b, a) };
         let text = || format!("`{}` and `{}` do not collide", self.name(a), self.name(b));
-        self.ruled(world, (Kind::Collision, Subject::Pair(a, b)), outcome, None, text, || {
+        self.ruled(world, (RowKind::Collision, Subject::Pair(a, b)), outcome, None, text, || {
             match (world.object(a), world.object(b)) {
                 (Ok(x), Ok(y)) => builtins::gap_in_words(self.name(a), self.name(b), builtins::gap(x, y)),
                 _ => "cannot be checked: the layout lacks an object".to_owned(),
@@ -277,7 +277,7 @@ impl<'a> Rules<'a> {
         // A region that is missing could hold it.
         let outcome = best.map(|(_, truth)| truth).filter(|t| t.holds || self.enclosed);
         let text = || format!("`{}` is inside a region", self.name(id));
-        self.ruled(world, (Kind::Bounds, Subject::Object(id)), outcome, None, text, || {
+        self.ruled(world, (RowKind::Bounds, Subject::Object(id)), outcome, None, text, || {
             let (Some((Some(region), truth)), Ok(thing)) = (best, world.object(id)) else {
                 return String::new();
             };
@@ -328,7 +328,7 @@ impl<'a> Rules<'a> {
         let known = how != Support::Rests || (self.complete && self.enclosed);
         let outcome = outcome.filter(|t| t.holds || known);
         let text = || format!("`{}` is supported", self.name(id));
-        self.ruled(world, (Kind::Support, Subject::Object(id)), outcome, rest.as_ref(), text, || match how {
+        self.ruled(world, (RowKind::Support, Subject::Object(id)), outcome, rest.as_ref(), text, || match how {
             Support::Mounted => "it does not touch the wall or ceiling that it is mounted on".to_owned(),
             Support::Held => "its container holds it".to_owned(),
             _ => {
@@ -347,7 +347,7 @@ impl<'a> Rules<'a> {
         let amount = joint.map_or(String::new(), |joint| opening::amount(demand, joint.motion));
         let met = outcome.filter(|t| t.margin.is_finite()).and_then(|_| open::met(world, id, part));
         let text = || format!("`{name}` of `{}` opens {amount}", self.name(id));
-        let mut ruled = self.ruled(world, (Kind::Open, Subject::Part(id, part)), outcome, None, text, || {
+        let mut ruled = self.ruled(world, (RowKind::Open, Subject::Part(id, part)), outcome, None, text, || {
             let what = met.map_or(String::new(), |met| opening::met_in_words(self.program, met));
             match outcome {
                 Some(truth) if !truth.holds => {
@@ -377,7 +377,7 @@ impl<'a> Rules<'a> {
     fn ruled(
         &self,
         world: &World<f64>,
-        (kind, subject): (Kind, Subject),
+        (kind, subject): (RowKind, Subject),
         outcome: Option<Truth<f64>>,
         rest: Option<&Rest>,
         text: impl FnOnce() -> String,

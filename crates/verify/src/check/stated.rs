@@ -1,11 +1,11 @@
 //! Stated constraints: assertions, preferences, assignments.
 
 use super::describe::{declarations, measured};
-use super::{Judged, Subject, Verdict};
+use super::{CheckVerdict, Judged, Subject};
 use crate::builtins::declared;
 use crate::eval::{Cause, EvalError, Scratch, Value, objects_of};
 use crate::explain::{self, Explanation};
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use crate::world::World;
 use rustc_hash::FxHashSet;
 use scenelang_base::{Diagnostic, Span};
@@ -14,7 +14,7 @@ use scenelang_lang::program::{Constraint, ConstraintKind, Guideline, Node, NodeI
 /// So many findings are listed; the rows say the rest.
 const MOST: usize = 100;
 
-pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut Verdict) {
+pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut CheckVerdict) {
     let mut scratch = Scratch::new();
     let mut errors = Vec::new();
     for index in 0..program.constraints.len() {
@@ -35,9 +35,9 @@ pub fn judge_one(
 ) -> (Judged, Option<EvalError>) {
     let constraint = &program.constraints[index];
     let (kind, weight) = match constraint.kind {
-        ConstraintKind::Assert => (Kind::Assert, None),
-        ConstraintKind::Prefer { weight } => (Kind::Prefer, Some(weight)),
-        ConstraintKind::Pin => (Kind::Pin, None),
+        ConstraintKind::Assert => (RowKind::Assert, None),
+        ConstraintKind::Prefer { weight } => (RowKind::Prefer, Some(weight)),
+        ConstraintKind::Pin => (RowKind::Pin, None),
     };
     let mut row = Judged {
         kind,
@@ -76,7 +76,7 @@ pub fn judge_one(
                     Node::BuiltIn(built_in, _) => declared(*built_in).violation,
                     _ => None,
                 };
-                if kind == Kind::Assert && truth_of(scratch, deciding) {
+                if kind == RowKind::Assert && truth_of(scratch, deciding) {
                     row.code = violation.unwrap_or(row.code);
                 }
             }

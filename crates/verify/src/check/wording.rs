@@ -3,7 +3,7 @@
 use super::describe::{relation, rounded, with_unit};
 use crate::eval::{Scratch, Value};
 use scenelang_lang::program::{Comparison, Program, Unit, Wording};
-use scenelang_lang::wording::{Named, Piece, Term};
+use scenelang_lang::wording::{Named, TemplatePiece, Term};
 
 /// A comparison that decided.
 pub(super) struct Compared {
@@ -37,13 +37,13 @@ impl Compared {
         };
         let pieces = &wording.template.pieces;
         let choice = pieces.iter().find_map(|piece| match piece {
-            Piece::Choice(texts) => Some(texts),
+            TemplatePiece::Choice(texts) => Some(texts),
             _ => None,
         });
         let (shift, plain) = pieces
             .iter()
             .find_map(|piece| match piece {
-                Piece::Value { terms, plain } => Some((terms, *plain)),
+                TemplatePiece::Value { terms, plain } => Some((terms, *plain)),
                 _ => None,
             })
             .map_or((0.0, false), |(terms, plain)| {
@@ -63,10 +63,10 @@ impl Compared {
         let mut out = String::new();
         for piece in pieces {
             out += &match piece {
-                Piece::Text(text) => text.clone(),
-                Piece::Name(index) => name(*index),
-                Piece::Value { .. } => quantity(value),
-                Piece::Choice(texts) => side(texts, value),
+                TemplatePiece::Text(text) => text.clone(),
+                TemplatePiece::Name(index) => name(*index),
+                TemplatePiece::Value { .. } => quantity(value),
+                TemplatePiece::Choice(texts) => side(texts, value),
             };
         }
         let must = if self.holds { "" } else { "must be " };

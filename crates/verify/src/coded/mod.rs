@@ -16,7 +16,7 @@ use crate::number::Algebra;
 use crate::prove::interval::Interval;
 use crate::prove::tape::{Claim, Fact, Op, Tape, Term, unknown};
 use crate::vector::{M3, V3};
-use crate::world::{Room, Thing, World};
+use crate::world::{ObjectInstance, RegionInstance, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::Program;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId, ObjectProperty, RegionId, Unit};
@@ -79,7 +79,7 @@ struct Step {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Verdict {
+enum AtomVerdict {
     Known(bool),
     Bound { slot: u32, bound: f64, strict: bool, contrary: bool },
 }
@@ -87,7 +87,7 @@ enum Verdict {
 #[derive(Clone, Copy, Debug)]
 struct Atom {
     margin: u32,
-    verdict: Verdict,
+    verdict: AtomVerdict,
     unit: Unit,
 }
 
@@ -165,8 +165,8 @@ impl Coded {
     pub fn truth(&self, node: NodeId, slots: &Slots) -> Option<Truth<f64>> {
         let atom = (*self.atoms.get(node.0 as usize)?)?;
         let holds = match atom.verdict {
-            Verdict::Known(holds) => holds,
-            Verdict::Bound { slot, bound, strict, contrary } => {
+            AtomVerdict::Known(holds) => holds,
+            AtomVerdict::Bound { slot, bound, strict, contrary } => {
                 let value = slots.0[slot as usize];
                 (if strict { value > bound } else { value >= bound }) != contrary
             }
@@ -264,9 +264,9 @@ impl<'w> Coder<'w> {
         let contrary = truth.holds.is_contrary();
         let fact = self.tape.facts[truth.holds.index()].clone();
         let verdict = match fact {
-            Fact::True => Verdict::Known(truth.holds == Claim::TRUE),
+            Fact::True => AtomVerdict::Known(truth.holds == Claim::TRUE),
             Fact::Atom { term, bound, strict } => {
-                Verdict::Bound { slot: self.emit(code, term)?, bound: f64::from_bits(bound), strict, contrary }
+                AtomVerdict::Bound { slot: self.emit(code, term)?, bound: f64::from_bits(bound), strict, contrary }
             }
             _ => return None,
         };
@@ -420,12 +420,12 @@ fn inputs(
             continue;
         };
         world.objects[index as usize] =
-            Some(Thing { pos, rot, scale: lift(&thing.scale), axes, body: thing.body.clone() });
+            Some(ObjectInstance { pos, rot, scale: lift(&thing.scale), axes, body: thing.body.clone() });
     }
     for index in 0..program.regions.len() as u32 {
         let Ok(room) = plain.region(RegionId(index)) else { continue };
         let lift = |v: &V3<f64>| V3(v.0.map(Term::constant));
-        world.regions[index as usize] = Some(Room {
+        world.regions[index as usize] = Some(RegionInstance {
             pos: lift(&room.pos),
             rot: lift(&room.rot),
             scale: lift(&room.scale),
@@ -509,31 +509,31 @@ impl Boxes<'_, '_> {
     }
 
     /// The gap of two things; `None`: not both are upright.
-    pub(crate) fn gap(&mut self, a: &Thing<Term>, b: &Thing<Term>) -> Option<Term> {
+    pub(crate) fn gap(&mut self, a: &ObjectInstance<Term>, b: &ObjectInstance<Term>) -> Option<Term> {
         let mut on = upright(a)?;
         on.extend(upright(b)?);
         Some(self.measure(Measured::Gap([blocks(&a.body), blocks(&b.body)]), on))
     }
 
     /// The horizontal clearance of a thing in a room of any outline.
-    pub(crate) fn clearance(&mut self, thing: &Thing<Term>, room: &Room<Term>) -> Option<Term> {
+    pub(crate) fn clearance(&mut self, thing: &ObjectInstance<Term>, room: &RegionInstance<Term>) -> Option<Term> {
         let [x, _, z, sin, cos] = upright(thing)?[..] else { return None };
         let half = thing.body.obb.half;
         Some(self.measure(Measured::Clearance(outline_of(room), [half.x, half.z]), vec![x, z, sin, cos]))
     }
 
     /// How deep a point is in a room.
-    pub(crate) fn depth(&mut self, point: &V3<Term>, room: &Room<Term>) -> Term {
+    pub(crate) fn depth(&mut self, point: &V3<Term>, room: &RegionInstance<Term>) -> Term {
         self.measure(Measured::Depth(outline_of(room)), vec![point.0[0], point.0[2]])
     }
 }
 
-fn outline_of(room: &Room<Term>) -> Arc<Polygon> {
+fn outline_of(room: &RegionInstance<Term>) -> Arc<Polygon> {
     Arc::new(room.prism.polygon.clone())
 }
 
 /// x, y, z of the centre of a box, and sine and cosine of its yaw; `None`: it is not upright.
-fn upright(thing: &Thing<Term>) -> Option<Vec<Term>> {
+fn upright(thing: &ObjectInstance<Term>) -> Option<Vec<Term>> {
     let [zero, one] = [0.0, 1.0].map(Term::constant);
     let [center, turn] = [thing.center().0, thing.axes.0[2].0];
     let is_upright = thing.axes.0[1].0 == [zero, one, zero];

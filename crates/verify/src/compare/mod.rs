@@ -3,8 +3,8 @@
 mod things;
 mod verdicts;
 
-pub use things::{Change, Changed, Thing, What};
-pub use verdicts::{Difference, Side, Turn};
+pub use things::{Change, Changed, ChangedThing, DifferenceKind};
+pub use verdicts::{ComparedVerdict, Difference, Turn};
 
 use crate::check::Checked;
 use crate::report::exit_code;
@@ -27,9 +27,9 @@ pub struct Comparison {
     /// Whether geometry, values and verdicts are the same; margins may differ where the programs do.
     pub equal: bool,
     /// Objects that differ.
-    pub objects: Vec<Thing>,
+    pub objects: Vec<ChangedThing>,
     /// Regions that differ.
-    pub regions: Vec<Thing>,
+    pub regions: Vec<ChangedThing>,
     /// Decision variables that differ.
     pub variables: Vec<Changed>,
     /// Draws that differ.

@@ -2,7 +2,7 @@
 
 use crate::check::{Checked, measure_in_words};
 use scenelang_lang::program::Unit;
-use scenelang_layout::{Layout, Placement, RegionPlacement, Value, Vec3, rotation};
+use scenelang_layout::{DecisionValue, Layout, Placement, RegionPlacement, Vec3, rotation};
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
@@ -14,7 +14,7 @@ const SLIGHT: f64 = 0.05;
 
 /// An object or a region that differs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Thing {
+pub struct ChangedThing {
     /// Its name.
     pub name: String,
     /// In which ways.
@@ -25,7 +25,7 @@ pub struct Thing {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Change {
     /// Which way.
-    pub what: What,
+    pub what: DifferenceKind,
     /// In a few words.
     pub words: String,
     /// How far (metres), by what angle (degrees).
@@ -42,7 +42,7 @@ pub struct Change {
 /// Ways to differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum What {
+pub enum DifferenceKind {
     /// Only the second has it.
     Added,
     /// Only the first has it.
@@ -59,7 +59,7 @@ pub enum What {
     Asset,
 }
 
-impl What {
+impl DifferenceKind {
     /// As written.
     pub fn as_str(self) -> &'static str {
         match self {
@@ -94,7 +94,7 @@ pub(super) fn assets(checked: &Checked) -> Map<String, Json> {
     objects.filter_map(|(name, object)| Some((name.clone(), object.get("asset")?.clone()))).collect()
 }
 
-pub(super) fn objects(a: &Layout, b: &Layout, assets: &[Map<String, Json>; 2]) -> Vec<Thing> {
+pub(super) fn objects(a: &Layout, b: &Layout, assets: &[Map<String, Json>; 2]) -> Vec<ChangedThing> {
     let nothing = Json::Null;
     both(&a.objects, &b.objects, |name, x, y| {
         let mut changes: Vec<Change> = moved(x.pos, y.pos).into_iter().collect();
@@ -106,7 +106,7 @@ pub(super) fn objects(a: &Layout, b: &Layout, assets: &[Map<String, Json>; 2]) -
     })
 }
 
-pub(super) fn regions(a: &Layout, b: &Layout) -> Vec<Thing> {
+pub(super) fn regions(a: &Layout, b: &Layout) -> Vec<ChangedThing> {
     both(&a.regions, &b.regions, |_, x, y| {
         let ([from, to], [size, other]) = ([x.pos, y.pos], [x.scale, y.scale]);
         match (&x.vertices, &y.vertices) {
@@ -130,22 +130,22 @@ fn both<N: AsRef<str>, T: Spot>(
     a: &[(N, T)],
     b: &[(N, T)],
     differ: impl Fn(&str, &T, &T) -> Vec<Change>,
-) -> Vec<Thing> {
+) -> Vec<ChangedThing> {
     let find = |list: &'_ [(N, T)], name: &str| list.iter().position(|(n, _)| n.as_ref() == name);
     let mut out = Vec::new();
     let mut add = |name: &str, changes: Vec<Change>| {
         if !changes.is_empty() {
-            out.push(Thing { name: name.to_owned(), changes });
+            out.push(ChangedThing { name: name.to_owned(), changes });
         }
     };
     for (name, x) in a {
         match find(b, name.as_ref()) {
             Some(i) => add(name.as_ref(), differ(name.as_ref(), x, &b[i].1)),
-            None => add(name.as_ref(), vec![one_sided(What::Removed, x)]),
+            None => add(name.as_ref(), vec![one_sided(DifferenceKind::Removed, x)]),
         }
     }
     for (name, y) in b.iter().filter(|(name, _)| find(a, name.as_ref()).is_none()) {
-        add(name.as_ref(), vec![one_sided(What::Added, y)]);
+        add(name.as_ref(), vec![one_sided(DifferenceKind::Added, y)]);
     }
     out
 }
@@ -167,10 +167,10 @@ impl Spot for RegionPlacement {
     }
 }
 
-fn one_sided(what: What, thing: &impl Spot) -> Change {
+fn one_sided(what: DifferenceKind, thing: &impl Spot) -> Change {
     let (pos, scale) = thing.spot();
     let value = Some(json!({ "pos": numbers(pos), "scale": numbers(scale) }));
-    let (before, after) = if what == What::Removed { (value, None) } else { (None, value) };
+    let (before, after) = if what == DifferenceKind::Removed { (value, None) } else { (None, value) };
     Change { what, words: format!("{} at {}", size(scale), point(pos)), amount: None, before, after }
 }
 
@@ -178,7 +178,7 @@ fn moved(from: Vec3, to: Vec3) -> Option<Change> {
     let by = to - from;
     let distance = by.norm();
     (distance > NEGLIGIBLE).then(|| Change {
-        what: What::Moved,
+        what: DifferenceKind::Moved,
         words: direction(by),
         amount: Some(distance),
         before: Some(json!(numbers(from))),
@@ -217,12 +217,12 @@ fn turned(from: Vec3, to: Vec3) -> Option<Change> {
         (false, false) => degrees,
     };
     let (before, after) = (Some(json!(numbers(from))), Some(json!(numbers(to))));
-    Some(Change { what: What::Turned, words, amount: Some(angle), before, after })
+    Some(Change { what: DifferenceKind::Turned, words, amount: Some(angle), before, after })
 }
 
 fn resized(from: Vec3, to: Vec3) -> Option<Change> {
     ((to - from).amax() > NEGLIGIBLE).then(|| Change {
-        what: What::Resized,
+        what: DifferenceKind::Resized,
         words: format!("{}, was {}", size(to), size(from)),
         amount: None,
         before: Some(json!(numbers(from))),
@@ -237,7 +237,7 @@ fn reshaped(x: &RegionPlacement, y: &RegionPlacement) -> Change {
         (a, b) => format!("an outline with {b} corners, was {a}"),
     };
     Change {
-        what: What::Reshaped,
+        what: DifferenceKind::Reshaped,
         words,
         amount: None,
         before: Some(json!(x.vertices)),
@@ -268,7 +268,7 @@ fn asset(before: &Json, after: &Json) -> Option<Change> {
         (_, Json::Null) => "it no longer has an asset".to_owned(),
         _ => format!("other {}", names.join(", ")),
     };
-    Some(Change { what: What::Asset, words, amount: None, before: None, after: None })
+    Some(Change { what: DifferenceKind::Asset, words, amount: None, before: None, after: None })
 }
 
 pub(super) fn values<N: AsRef<str>, T>(a: &[(N, T)], b: &[(N, T)], json: impl Fn(&T) -> Json) -> Vec<Changed> {
@@ -294,11 +294,11 @@ fn same_value(a: &Json, b: &Json) -> bool {
     }
 }
 
-pub(super) fn value(value: &Value) -> Json {
+pub(super) fn value(value: &DecisionValue) -> Json {
     match value {
-        Value::Number(number) => json!(number),
-        Value::Bool(truth) => json!(truth),
-        Value::Triple(triple) => json!(triple),
+        DecisionValue::Number(number) => json!(number),
+        DecisionValue::Bool(truth) => json!(truth),
+        DecisionValue::Triple(triple) => json!(triple),
     }
 }
 

@@ -2,7 +2,7 @@
 //! have moved is no difference; physical rules by their names.
 
 use crate::check::Checked;
-use crate::report::model::{Kind, Row};
+use crate::report::model::{Row, RowKind};
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ pub struct Difference {
     /// Its id in the second report, or in the first where only that has it.
     pub id: String,
     /// What kind.
-    pub kind: Kind,
+    pub kind: RowKind,
     /// As written, or the rule in words.
     pub text: String,
     /// How it differs.
@@ -20,14 +20,14 @@ pub struct Difference {
     /// Unit of the margins.
     pub unit: Option<String>,
     /// In the first; `None`: not listed there. A physical rule is listed only where it fails.
-    pub before: Option<Side>,
+    pub before: Option<ComparedVerdict>,
     /// In the second, likewise.
-    pub after: Option<Side>,
+    pub after: Option<ComparedVerdict>,
 }
 
 /// A verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Side {
+pub struct ComparedVerdict {
     /// `None`: cannot be judged.
     pub satisfied: Option<bool>,
     /// `None`: a discrete fact, or it cannot be judged.
@@ -84,10 +84,10 @@ impl Turn {
 }
 
 /// What finds a row again in another report: kind and text, and which of several equal ones.
-type Key<'a> = (Kind, &'a str, usize);
+type Key<'a> = (RowKind, &'a str, usize);
 
 fn keyed(checked: &Checked) -> Vec<(Key<'_>, &Row)> {
-    let mut seen: HashMap<(Kind, &str), usize> = HashMap::new();
+    let mut seen: HashMap<(RowKind, &str), usize> = HashMap::new();
     checked
         .report
         .constraints
@@ -118,7 +118,7 @@ pub(super) fn differences(before: &Checked, after: &Checked, threshold: f64) -> 
                 (None, _) if row.rule.is_some() && knows(before, row) => Turn::Ceases,
                 (None, _) => Turn::Added,
             };
-            let side = |row: &Row| Side { satisfied: row.satisfied, margin: row.margin };
+            let side = |row: &Row| ComparedVerdict { satisfied: row.satisfied, margin: row.margin };
             Some(Difference {
                 id: row.id.clone(),
                 kind: row.kind,

@@ -2,7 +2,7 @@
 
 use crate::builtins::{Call, declared};
 use crate::eval::{Scratch, Value};
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use crate::rules::support::Rest;
 use crate::world::World;
 use scenelang_lang::program::{Formula, Node, NodeId, Unit};
@@ -56,10 +56,10 @@ pub(crate) fn of_statement(
 }
 
 /// What decided a physical rule; `rest`: how the object of P-SUPPORT rests.
-pub(crate) fn of_rule(world: &World<f64>, kind: Kind, margin: f64, rest: Option<&Rest>) -> Option<Measured> {
+pub(crate) fn of_rule(world: &World<f64>, kind: RowKind, margin: f64, rest: Option<&Rest>) -> Option<Measured> {
     let tolerances = &world.options.tolerances;
     match (kind, rest) {
-        (Kind::Support, rest) => rest.map(|rest| match rest.off {
+        (RowKind::Support, rest) => rest.map(|rest| match rest.off {
             // It touches, and does not balance: how far its centre is beyond what carries it.
             Some(off) => metres(off, tolerances.contact),
             None => metres(rest.lowest, rest.nearest),

@@ -9,10 +9,10 @@ mod places;
 pub use measured::{Measured, Quantity};
 pub(crate) use measured::{of_rule, of_statement};
 pub(crate) use places::row_in_words;
-pub use places::{Place, facing_in_words, move_in_words};
+pub use places::{ObjectPlace, facing_in_words, move_in_words};
 
 use crate::check::Subject;
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use scenelang_lang::program::{ObjectId, Program};
 
 /// How many violations are explained in full; the others say what was measured.
@@ -34,7 +34,7 @@ impl Default for Explain {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RowRef {
     /// What kind of constraint.
-    pub kind: Kind,
+    pub kind: RowKind,
     /// What it is about.
     pub subject: Subject,
 }
@@ -45,7 +45,7 @@ pub struct Explanation {
     /// The values on both sides of what decided.
     pub measured: Option<Measured>,
     /// The objects of the deciding instance, where they are.
-    pub objects: Vec<Place>,
+    pub objects: Vec<ObjectPlace>,
     /// What holds now and would fail, or come nearest to failing, under the smallest move that repairs this row.
     pub opposing: Vec<RowRef>,
     /// The move offered.
@@ -63,7 +63,7 @@ pub struct Explanation {
 #[derive(Clone, Debug, PartialEq)]
 pub struct SmallestMove {
     /// What is moved, in this order; usually one object.
-    pub steps: Vec<Step>,
+    pub steps: Vec<ObjectMove>,
     /// What holds in the layout and fails after the move.
     pub breaks: Vec<RowRef>,
     /// What fails in the layout and holds after the move, beside the row itself.
@@ -72,7 +72,7 @@ pub struct SmallestMove {
 
 /// A move of one object from where the layout has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step {
+pub struct ObjectMove {
     /// Which.
     pub object: ObjectId,
     /// Along x, y, z (metres).

@@ -1,14 +1,14 @@
 //! Places, moves and rows in words.
 
-use super::{RowRef, SmallestMove, Step, name};
+use super::{ObjectMove, RowRef, SmallestMove, name};
 use crate::check::Subject;
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use crate::world::World;
 use scenelang_lang::program::{ObjectId, Program};
 
 /// Where an object is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct ObjectPlace {
     /// Which.
     pub object: ObjectId,
     /// Centre of its bottom face (metres).
@@ -21,7 +21,7 @@ pub struct Place {
     pub text: String,
 }
 
-impl Place {
+impl ObjectPlace {
     /// Of an object, unless the layout lacks it.
     pub fn of(program: &Program, world: &World<f64>, object: ObjectId) -> Option<Self> {
         let thing = world.object(object).ok()?;
@@ -83,7 +83,7 @@ fn length(x: f64) -> String {
 
 /// A move in the imperative: "move `nightstand` 0.07 m east". North is +z, and east is +x.
 pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
-    let mut parts: Vec<(String, Vec<&str>, &Step)> = Vec::new();
+    let mut parts: Vec<(String, Vec<&str>, &ObjectMove)> = Vec::new();
     for step in &repair.steps {
         let text = step_in_words(step);
         // What goes along with another needs no sentence of its own.
@@ -92,7 +92,7 @@ pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
             None => parts.push((text, Vec::new(), step)),
         }
     }
-    let sentence = |(text, along, step): &(String, Vec<&str>, &Step)| {
+    let sentence = |(text, along, step): &(String, Vec<&str>, &ObjectMove)| {
         let moved = text.replacen("{}", &format!("`{}`", name(program, step.object)), 1);
         if along.is_empty() { moved } else { format!("{moved}, and with it `{}`", along.join("`, `")) }
     };
@@ -100,7 +100,7 @@ pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
 }
 
 /// One step, with `{}` where the name goes.
-fn step_in_words(step: &Step) -> String {
+fn step_in_words(step: &ObjectMove) -> String {
     let [x, y, z] = step.by;
     let along = |by: f64, [less, more]: [&str; 2]| {
         (by != 0.0).then(|| format!("{} m {}", length(by), if by < 0.0 { less } else { more }))
@@ -146,7 +146,7 @@ pub(crate) fn row_in_words(program: &Program, row: RowRef, place: impl Fn(usize)
     }
 }
 
-fn rule(kind: Kind) -> &'static str {
+fn rule(kind: RowKind) -> &'static str {
     kind.rule().unwrap_or_default()
 }
 
@@ -173,7 +173,7 @@ mod tests {
 
     #[test]
     fn steps_have_words() {
-        let step = |by: [f64; 3], turn: f64| step_in_words(&Step { object: ObjectId(0), by, turn, with: None });
+        let step = |by: [f64; 3], turn: f64| step_in_words(&ObjectMove { object: ObjectId(0), by, turn, with: None });
         for (by, turn, want) in [
             ([0.07, 0.0, 0.0], 0.0, "move {} 0.07 m east"),
             ([0.0, 0.0, -1.5], 0.0, "move {} 1.50 m south"),

@@ -9,7 +9,7 @@
 //!   with the angles between directions.
 
 use super::interval::Interval;
-use super::problem::{Affine, Function, Kind, Problem, Var};
+use super::problem::{Affine, Function, Problem, UnknownKind, Var};
 use super::simplex::Simplex;
 use super::state::{EventId, State};
 use super::tape::Term;
@@ -38,7 +38,7 @@ const MOST: usize = 48;
 pub(super) fn broken(problem: &Problem, state: &State, simplex: &Simplex, points: &Points, work: &mut u64) -> Vec<Cut> {
     let mut out = Gather { problem, state, simplex, cuts: Vec::new() };
     for (index, kind) in problem.kinds.iter().enumerate() {
-        if let Kind::Apply(function, a, b) = kind
+        if let UnknownKind::Apply(function, a, b) = kind
             && !problem.curved[index]
         {
             *work += 1;
@@ -281,7 +281,7 @@ impl Points {
 /// The two ends that a coordinate difference lies between.
 fn ends(problem: &Problem, part: Affine) -> Option<(Coordinate, Coordinate)> {
     let row = match &problem.kinds[part.var as usize] {
-        Kind::Row(parts) => parts.to_vec(),
+        UnknownKind::Row(parts) => parts.to_vec(),
         _ => vec![(part.var, 1.0)],
     };
     if !part.add.is_point() {

@@ -1,10 +1,10 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, Given, Model, Rules, Source, crowds, regions_of};
+use super::model::{Choice, ClaimModel, Given, GivenSource, Rules, crowds, regions_of};
 use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
-use super::refute::Search;
+use super::refute::Refutation;
 use super::usual::Usual;
 use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
@@ -127,7 +127,7 @@ impl<'a> Prover<'a> {
     }
 
     /// The statements of a refutation of a model, if a brief search finds one.
-    fn brief(&mut self, model: &Model, problem: &mut Problem, without: &[usize]) -> Option<Vec<usize>> {
+    fn brief(&mut self, model: &ClaimModel, problem: &mut Problem, without: &[usize]) -> Option<Vec<usize>> {
         let most = (BRIEF * size(model)).min(self.options.work.saturating_sub(self.spent));
         self.search(model, problem, without, most, false).map(|core| core.statements)
     }
@@ -200,12 +200,12 @@ impl<'a> Prover<'a> {
         })
     }
 
-    fn model(&mut self, choice: Choice<'_>) -> Model {
+    fn model(&mut self, choice: Choice<'_>) -> ClaimModel {
         if self.program.objects.len() > LARGEST {
             // Before a part is looked at, all objects are.
             self.spent += self.program.objects.len() as u64;
         }
-        let model = Model::new(self.program, &self.options.judging, choice);
+        let model = ClaimModel::new(self.program, &self.options.judging, choice);
         // Making the model is work, too.
         self.spent += size(&model);
         model
@@ -215,20 +215,20 @@ impl<'a> Prover<'a> {
     /// Rows that the search makes stay in the problem: they only name sums.
     fn search(
         &mut self,
-        model: &Model,
+        model: &ClaimModel,
         problem: &mut Problem,
         without: &[usize],
         most: u64,
         tell: bool,
     ) -> Option<Core> {
         let tolerances = &self.options.judging.tolerances;
-        let counts = |g: &&Given| !matches!(&g.what, Source::Statement(s) if without.contains(s));
+        let counts = |g: &&Given| !matches!(&g.what, GivenSource::Statement(s) if without.contains(s));
         let given: Vec<&Given> = model.given.iter().filter(counts).collect();
         let claims: Vec<_> = given.iter().map(|g| g.claim).collect();
         let contact = tolerances.contact + 2.0 * tolerances.order;
         let packing = Packing::new(&model.groups, problem, &claims, contact);
         let cancel = self.options.cancel.as_deref();
-        let mut search = Search::new(std::mem::take(problem), model, &packing, most, cancel);
+        let mut search = Refutation::new(std::mem::take(problem), model, &packing, most, cancel);
         search.told = tell.then(Vec::new);
         let used = search.refute(&model.always, &claims);
         self.spent += search.state.work;
@@ -242,9 +242,9 @@ impl<'a> Prover<'a> {
         for index in used {
             let given = given[index];
             match &given.what {
-                Source::Statement(statement) => core.statements.push(*statement),
-                Source::Rule(rule) => core.rules.push(rule.clone()),
-                Source::Contrary(_) => {}
+                GivenSource::Statement(statement) => core.statements.push(*statement),
+                GivenSource::Rule(rule) => core.rules.push(rule.clone()),
+                GivenSource::Contrary(_) => {}
             }
             core.statements.extend(&given.premises);
         }
@@ -356,7 +356,7 @@ impl<'a> Prover<'a> {
     }
 }
 
-fn size(model: &Model) -> u64 {
+fn size(model: &ClaimModel) -> u64 {
     (model.tape.ops.len() + model.tape.facts.len()) as u64
 }
 

@@ -110,12 +110,12 @@ pub struct Redundancy {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Proof {
     /// The steps, in order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<ProofStep>,
 }
 
 /// A step of a proof.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
+pub struct ProofStep {
     /// How many suppositions it stands under.
     pub depth: usize,
     /// A sentence.

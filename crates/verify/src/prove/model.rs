@@ -1,6 +1,6 @@
 //! Some statements of a program, and the physical rules about what they speak of, as claims about unknowns.
 
-use super::packing::{Between, Core, Group, Member};
+use super::packing::{Between, Core, Member, PackingRegion};
 use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
 use super::unknowns::{OUT_OF_BOX, Unknowns};
@@ -11,7 +11,7 @@ use crate::number::{Algebra, Logic};
 use crate::rules::{Scope, Support};
 use crate::tolerances::Options;
 use crate::vector::V3;
-use crate::world::{Thing, World};
+use crate::world::{ObjectInstance, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
@@ -26,14 +26,14 @@ use std::rc::Rc;
 #[derive(Clone, Debug)]
 pub(super) struct Given {
     pub claim: Claim,
-    pub what: Source,
+    pub what: GivenSource,
     /// Statements that its meaning rests on, beside what it says: orientations, rectangles.
     pub premises: Vec<usize>,
 }
 
 /// Where something given comes from.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Source {
+pub(super) enum GivenSource {
     /// An index into the constraints of the program.
     Statement(usize),
     /// The contrary of a statement, to see whether the others imply it.
@@ -43,14 +43,14 @@ pub(super) enum Source {
 }
 
 /// Claims, and the tape that they are on.
-pub(super) struct Model {
+pub(super) struct ClaimModel {
     pub tape: Tape,
     /// What holds in every instance.
     pub always: Vec<Claim>,
     /// Those of them that linear reasoning leaves out.
     pub curved: Vec<Claim>,
     pub given: Vec<Given>,
-    pub groups: Vec<Group<Term>>,
+    pub groups: Vec<PackingRegion<Term>>,
     /// Angles between directions, each by its number; the contrary of an even one is the next.
     pub angles: Vec<([usize; 2], Term)>,
     /// Ways between the middles of objects over their surfaces.
@@ -88,7 +88,7 @@ const CROWD: usize = 400;
 /// The sine of how far boxes may be turned off the axes to be looked at so: what the tolerance of `rot = …` leaves open.
 const SKEW: f64 = 0.0018;
 
-impl Model {
+impl ClaimModel {
     /// The model of a choice.
     pub fn new(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
         let mut tape = Tape::new();
@@ -139,13 +139,13 @@ impl Model {
     }
 }
 
-fn wanted(groups: &[Group<Term>]) -> Vec<Term> {
+fn wanted(groups: &[PackingRegion<Term>]) -> Vec<Term> {
     let core = |c: &Core<Term>| [c.size[0], c.size[1], c.bottom, c.top];
     let member = |m: &Member<Term>| {
         let own = [m.bottom, m.top, m.up].into_iter().chain(m.size).chain(m.at).chain(m.turn);
         own.chain(m.core.iter().flat_map(core)).collect::<Vec<_>>()
     };
-    let group = |g: &Group<Term>| {
+    let group = |g: &PackingRegion<Term>| {
         let own = g.size.into_iter().chain(g.at).chain(g.between.iter().map(|b| b.length));
         own.chain(g.members.iter().flat_map(member)).collect::<Vec<_>>()
     };
@@ -189,8 +189,8 @@ impl Builder<'_> {
             unknowns.angles_turn_axes(object);
         }
         let (claim, what) = match contrary {
-            true => (claim.negated(), Source::Contrary(index)),
-            false => (claim, Source::Statement(index)),
+            true => (claim.negated(), GivenSource::Contrary(index)),
+            false => (claim, GivenSource::Statement(index)),
         };
         self.given.push(Given { claim, what, premises });
     }
@@ -214,7 +214,7 @@ impl Builder<'_> {
             let holds: Vec<Claim> = regions.iter().map(|r| region_in_proofs(unknowns, object, *r)).collect();
             let premises = rests(unknowns, &[object], &regions);
             let name = self.name(object);
-            let what = Source::Rule(match regions.as_slice() {
+            let what = GivenSource::Rule(match regions.as_slice() {
                 [one] => format!("P-BOUNDS keeps `{name}` in `{}`", self.program.regions[one.0 as usize].name),
                 _ => format!("P-BOUNDS keeps `{name}` in a region"),
             });
@@ -233,7 +233,8 @@ impl Builder<'_> {
                     continue;
                 }
                 let claim = collides_in_proofs(unknowns, a, b).negated();
-                let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
+                let what =
+                    GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
                 self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]) });
             }
         }
@@ -246,7 +247,7 @@ impl Builder<'_> {
                 let Some(solid) = unknowns.solid_of(self.program, self.options, other) else { continue };
                 let apart = unknowns.apart_along_axes([&space, &solid], SKEW);
                 let (of, name) = (self.name(owner), self.name(other));
-                let what = Source::Rule(format!("`{name}` is not in the free space beside `{of}`"));
+                let what = GivenSource::Rule(format!("`{name}` is not in the free space beside `{of}`"));
                 let premises = rests(unknowns, &[owner, other], &[]);
                 self.given.push(Given { claim: implies(free, apart), what, premises });
             }
@@ -278,13 +279,13 @@ impl Builder<'_> {
             let [Some(own), Some(other)] = solids else { continue };
             // A square in the disc in its footprint, turned as the other is.
             let square = own.scale.0[0].min(own.scale.0[2]).scale(0.35);
-            let heights = |t: &Thing<Term>| [t.pos.0[1], t.pos.0[1] + t.scale.0[1]];
+            let heights = |t: &ObjectInstance<Term>| [t.pos.0[1], t.pos.0[1] + t.scale.0[1]];
             let ([low, high], [bottom, top]) = (heights(&own), heights(&other));
             let mut ways = vec![(low - top + contact).at_least(0.0), (bottom - high + contact).at_least(0.0)];
             for (off, axis) in off.into_iter().zip([0, 2]) {
                 ways.push((off - other.scale.0[axis].scale(0.5) - square + contact).at_least(0.0));
             }
-            let what = Source::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
+            let what = GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
             self.given.push(Given { claim: any(&ways), what, premises: rests(unknowns, &[a, b], &[]) });
         }
     }
@@ -317,14 +318,14 @@ impl Builder<'_> {
                 all(&[(bottom - base).at_least(-off), (top - bottom).at_least(-off)])
             }));
             let claim = any(&ways);
-            let what = Source::Rule(format!("`{}` stands on the floor", self.name(id)));
+            let what = GivenSource::Rule(format!("`{}` stands on the floor", self.name(id)));
             let spoken: Vec<ObjectId> = carriers.iter().copied().chain([id]).collect();
             self.given.push(Given { claim, what, premises: rests(unknowns, &spoken, &regions) });
         }
     }
 
     /// Boxes of known size that are said to be in one region, for each rectangular region of known size.
-    fn groups(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) -> Vec<Group<Term>> {
+    fn groups(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) -> Vec<PackingRegion<Term>> {
         let scope = scope(self.program, self.options);
         let mut groups = Vec::new();
         let mut apart = None;
@@ -364,7 +365,7 @@ impl Builder<'_> {
             let known = std::iter::zip(&objects, &members).filter(|(_, m)| m.inside == Claim::TRUE);
             spoken.extend(known.map(|(o, _)| *o));
             let room = unknowns.room(region);
-            groups.push(Group {
+            groups.push(PackingRegion {
                 size: room.scale.0,
                 at: [room.pos.0[0], room.pos.0[2]],
                 straight: unknowns.is_straight(region),
@@ -375,7 +376,7 @@ impl Builder<'_> {
             });
         }
         if let Some(claim) = apart {
-            let what = Source::Rule("P-COLLIDE keeps boxes from overlapping".to_owned());
+            let what = GivenSource::Rule("P-COLLIDE keeps boxes from overlapping".to_owned());
             let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
             let premises = if spoken.is_empty() { Vec::new() } else { rests(unknowns, &spoken, &regions) };
             self.given.push(Given { claim, what, premises });
@@ -384,7 +385,7 @@ impl Builder<'_> {
     }
 
     /// What is always true of the orientations that claims came to speak of.
-    fn frames(&mut self, unknowns: &mut Unknowns<'_>, groups: &[Group<Term>]) {
+    fn frames(&mut self, unknowns: &mut Unknowns<'_>, groups: &[PackingRegion<Term>]) {
         let roots: Vec<Claim> = unknowns.always.iter().copied().chain(self.given.iter().map(|g| g.claim)).collect();
         let (_, terms) = look(|tape| reached(tape, &roots, &wanted(groups)));
         let is_reached = |term: &Term| terms.get(term.0 as usize).copied().unwrap_or(false);
@@ -568,7 +569,7 @@ impl Unknowns<'_> {
     }
 
     /// A box that is solid for sure: that of the object, or a part of it about its middle axis.
-    fn solid_of(&self, program: &Program, options: &Options, id: ObjectId) -> Option<Thing<Term>> {
+    fn solid_of(&self, program: &Program, options: &Options, id: ObjectId) -> Option<ObjectInstance<Term>> {
         let thing = self.thing(id);
         if is_box(program, options, id) {
             return Some(thing);
@@ -580,7 +581,7 @@ impl Unknowns<'_> {
         let ([w, d], [from, to]) = core_of(&program.objects[id.0 as usize], [w, h, d])?;
         let mut pos = thing.pos;
         pos.0[1] = pos.0[1] + Term::constant(from);
-        Some(Thing { pos, scale: V3([w, to - from, d].map(Term::constant)), ..thing })
+        Some(ObjectInstance { pos, scale: V3([w, to - from, d].map(Term::constant)), ..thing })
     }
 
     fn member(&mut self, program: &Program, options: &Options, id: ObjectId, region: RegionId) -> Member<Term> {
@@ -628,7 +629,7 @@ impl Unknowns<'_> {
     }
 
     /// The same of two boxes.
-    fn apart_along_axes(&self, things: [&Thing<Term>; 2], skew: f64) -> Claim {
+    fn apart_along_axes(&self, things: [&ObjectInstance<Term>; 2], skew: f64) -> Claim {
         let along = |claims: &mut Vec<Claim>, c: Term| {
             claims.push(any(&[
                 all(&[c.at_least(-skew), (-c).at_least(-skew)]),
@@ -643,7 +644,7 @@ impl Unknowns<'_> {
         let tolerances = &self.options.tolerances;
         let contact = Term::constant(tolerances.contact + 2.0 * tolerances.order);
         let [x, y] = things;
-        let extents = |t: &Thing<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
+        let extents = |t: &ObjectInstance<Term>| t.scale.0[0] + t.scale.0[1] + t.scale.0[2];
         let slack = (extents(x) + extents(y)).scale(skew) + contact;
         let (between, reach) = (x.center() - y.center(), x.reach() + y.reach());
         let ways: Vec<Claim> = (0..3)

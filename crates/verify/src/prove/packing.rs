@@ -11,9 +11,9 @@
 
 use super::interval::Interval;
 use super::placing::{MadeOf, Placing, conjuncts};
-use super::probes::{self, Kind};
+use super::probes::{self, ProbeBox};
 use super::problem::{self, Affine, Problem, Var};
-use super::state::{Conflict, EventId, Rule, State, What};
+use super::state::{Conflict, EventId, EventKind, Rule, State};
 use super::tape::{Claim, Term};
 use rustc_hash::FxHashMap;
 use std::cell::{OnceCell, RefCell};
@@ -59,7 +59,7 @@ pub(super) struct Between<T> {
 
 /// A rectangular region and the boxes that may stand in it.
 #[derive(Clone, Debug)]
-pub(super) struct Group<T> {
+pub(super) struct PackingRegion<T> {
     pub size: [T; 3],
     /// Its middle: x and z.
     pub at: [T; 2],
@@ -76,7 +76,7 @@ pub(super) struct Group<T> {
 /// The groups of a problem.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Packing {
-    groups: Vec<Group<Affine>>,
+    groups: Vec<PackingRegion<Affine>>,
     /// What holds, taken apart.
     holding: Vec<Claim>,
     /// By group and member: what is said of it alone, once somebody asks.
@@ -100,11 +100,11 @@ const MOST_LENGTHS: usize = 4;
 
 impl Packing {
     /// Groups in terms of a problem; `given` holds in it.
-    pub fn new(groups: &[Group<Term>], problem: &Problem, given: &[Claim], contact: f64) -> Self {
+    pub fn new(groups: &[PackingRegion<Term>], problem: &Problem, given: &[Claim], contact: f64) -> Self {
         let at = |term: Term| problem.terms[term.0 as usize];
         let all = |terms: [Term; 3]| Some([at(terms[0])?, at(terms[1])?, at(terms[2])?]);
         let both = |terms: [Term; 2]| Some([at(terms[0])?, at(terms[1])?]);
-        let group = |group: &Group<Term>| {
+        let group = |group: &PackingRegion<Term>| {
             let member = |m: &Member<Term>| {
                 Some(Member {
                     inside: m.inside,
@@ -126,7 +126,7 @@ impl Packing {
             let members = group.members.iter().map(member).collect::<Option<Vec<_>>>()?;
             let between =
                 |b: &Between<Term>| Some(Between { pair: b.pair, length: at(b.length)?, of_centres: b.of_centres });
-            Some(Group {
+            Some(PackingRegion {
                 size: all(group.size)?,
                 at: both(group.at)?,
                 straight: group.straight,
@@ -136,7 +136,7 @@ impl Packing {
                 apart: group.apart,
             })
         };
-        let groups: Vec<Group<Affine>> = groups.iter().filter_map(group).collect();
+        let groups: Vec<PackingRegion<Affine>> = groups.iter().filter_map(group).collect();
         let holding = if groups.is_empty() { Vec::new() } else { conjuncts(problem, given) };
         Self { groups, holding, contact, ..Self::default() }
     }
@@ -144,17 +144,17 @@ impl Packing {
     /// What is said of a member alone.
     fn placing(&self, problem: &Problem, (group, member): (usize, usize)) -> &Placing {
         let plain = |t: Affine| {
-            let free = t.var != 0 && problem.kinds[t.var as usize] == problem::Kind::Free;
+            let free = t.var != 0 && problem.kinds[t.var as usize] == problem::UnknownKind::Free;
             (free && !t.minus && t.add == Interval::point(0.0)).then_some(t.var)
         };
         let all = || {
             let made_of: Vec<MadeOf> = self.holding.iter().filter_map(|c| MadeOf::new(problem, *c)).collect();
-            let of_member = |group: &Group<Affine>, m: &Member<Affine>| {
+            let of_member = |group: &PackingRegion<Affine>, m: &Member<Affine>| {
                 let own: [Option<Var>; 4] = [m.at[0], m.at[1], m.turn[0], m.turn[1]].map(plain);
                 let placed = own[..2].iter().all(Option::is_some) && group.straight;
                 if placed { Placing::new(problem, &made_of, own, group.at.map(plain)) } else { Placing::default() }
             };
-            let of_group = |group: &Group<Affine>| {
+            let of_group = |group: &PackingRegion<Affine>| {
                 let few = group.members.len() <= MOST_PLACED;
                 group.members.iter().map(|m| if few { of_member(group, m) } else { Placing::default() }).collect()
             };
@@ -202,7 +202,7 @@ impl Packing {
 
     fn volumes(
         &self,
-        group: &Group<Affine>,
+        group: &PackingRegion<Affine>,
         count: &[usize],
         reasons: &[EventId],
         state: &mut State,
@@ -219,13 +219,13 @@ impl Packing {
             why.extend(member.size.iter().map(|s| lower(state, *s)));
         }
         why.extend(group.size.iter().map(|s| upper(state, *s)));
-        if sum.lo > room.hi { Err(Conflict(state.event(What::Conflict(Rule::Packing), &why))) } else { Ok(()) }
+        if sum.lo > room.hi { Err(Conflict(state.event(EventKind::Conflict(Rule::Packing), &why))) } else { Ok(()) }
     }
 
     /// Those of members that stand upright, if one horizontal plane cuts the solid of all of them; and why it does.
     fn cut_by_one_plane(
         &self,
-        group: &Group<Affine>,
+        group: &PackingRegion<Affine>,
         count: &[usize],
         state: &State,
     ) -> Option<(Vec<usize>, Vec<EventId>)> {
@@ -256,7 +256,7 @@ impl Packing {
 
     fn areas(
         &self,
-        group: &Group<Affine>,
+        group: &PackingRegion<Affine>,
         upright: &[usize],
         reasons: &[EventId],
         around: f64,
@@ -286,7 +286,7 @@ impl Packing {
             };
             *self.said.borrow_mut() = Some(say);
         }
-        if full { Err(Conflict(state.event(What::Conflict(Rule::Packing), &why))) } else { Ok(()) }
+        if full { Err(Conflict(state.event(EventKind::Conflict(Rule::Packing), &why))) } else { Ok(()) }
     }
 
     /// Upright members that keep distances from each other: the more they keep, the fewer of them.
@@ -359,20 +359,21 @@ impl Packing {
             return Ok(());
         }
         // The largest first: where some of them fit, more of them may not.
-        let mut order: Vec<(usize, Kind)> =
+        let mut order: Vec<(usize, ProbeBox)> =
             upright.iter().map(|&i| (i, self.kind(group, &group.members[i], space, state))).collect();
         // Where much of the floor is free there is no need to look closely.
         if order.iter().map(|(_, kind)| kind.taken()).sum::<f64>() < WORTH_A_LOOK * floor[0] * floor[1] {
             return Ok(());
         }
-        let side = |k: &Kind| k.core[0].min(k.core[1]) + 2.0 * k.space;
+        let side = |k: &ProbeBox| k.core[0].min(k.core[1]) + 2.0 * k.space;
         order.sort_by(|(_, a), (_, b)| side(b).total_cmp(&side(a)));
         let last = |n: &usize| *n == order.len() || side(&order[*n].1) < side(&order[n - 1].1) - 1e-9;
         let counts: Vec<usize> = (2..=order.len()).filter(last).collect();
         for count in counts.into_iter().rev().take(MOST_LENGTHS) {
             let (some, smallest) = (&order[..count], order[count - 1].1);
             for points in probes::guesses(floor, &smallest, count) {
-                let one = |(i, kind): &(usize, Kind)| self.covers(problem, (index, *i), floor, kind, &points, state);
+                let one =
+                    |(i, kind): &(usize, ProbeBox)| self.covers(problem, (index, *i), floor, kind, &points, state);
                 if !some.iter().all(one) {
                     continue;
                 }
@@ -395,14 +396,22 @@ impl Packing {
                 let fit = points.len();
                 let say = format!("{what} do not fit on a floor of {w} × {d} m{apart}: at most {fit} fit");
                 *self.said.borrow_mut() = Some(say);
-                return Err(Conflict(state.event(What::Conflict(Rule::Beside { fit: points.len() as u32 }), &why)));
+                return Err(Conflict(
+                    state.event(EventKind::Conflict(Rule::Beside { fit: points.len() as u32 }), &why),
+                ));
             }
         }
         Ok(())
     }
 
     /// A member as a thing that covers points.
-    fn kind(&self, group: &Group<Affine>, member: &Member<Affine>, space: Option<(f64, bool)>, state: &State) -> Kind {
+    fn kind(
+        &self,
+        group: &PackingRegion<Affine>,
+        member: &Member<Affine>,
+        space: Option<(f64, bool)>,
+        state: &State,
+    ) -> ProbeBox {
         let less = |size: f64| smaller(Interval::from(size), self.contact).lo;
         let size = [0, 2].map(|k| less(inner(state, member, k)));
         let known = group.straight && of(state, member.up).lo >= 1.0;
@@ -410,8 +419,8 @@ impl Packing {
         let turns = turns.unwrap_or(probes::ANY_TURN);
         let space = space.map(|(length, of_centres)| (length / 2.0, of_centres)).unwrap_or_default();
         match space {
-            (radius, true) => Kind { size, core: [0.0; 2], space: radius, turns },
-            (space, false) => Kind { size, core: footprint(state, member).map(less), space, turns },
+            (radius, true) => ProbeBox { size, core: [0.0; 2], space: radius, turns },
+            (space, false) => ProbeBox { size, core: footprint(state, member).map(less), space, turns },
         }
     }
 
@@ -420,13 +429,13 @@ impl Packing {
         problem: &Problem,
         (index, member): (usize, usize),
         floor: [f64; 2],
-        kind: &Kind,
+        kind: &ProbeBox,
         points: &probes::Points,
         state: &mut State,
     ) -> bool {
         let (group, placing) = (&self.groups[index], self.placing(problem, (index, member)));
         let whole = !placing.claims.is_empty() && kind.turns == probes::ANY_TURN;
-        let kind = Kind { turns: if whole { probes::WHOLE_TURN } else { kind.turns }, ..*kind };
+        let kind = ProbeBox { turns: if whole { probes::WHOLE_TURN } else { kind.turns }, ..*kind };
         let who = if placing.claims.is_empty() { 0 } else { member as u64 + 1 };
         let numbers = floor.into_iter().chain(kind.size).chain(kind.core).chain([kind.space]).chain(kind.turns);
         let key: Vec<u64> = [index as u64, who]

@@ -3,7 +3,7 @@
 use super::interval::Interval;
 use super::narrow::narrow;
 use super::probes::{Cell, sine_and_cosine};
-use super::problem::{Kind, Problem, Var, Verdict};
+use super::problem::{Problem, UnknownKind, Var, VariableFormula};
 use super::state::State;
 use super::tape::Claim;
 use rustc_hash::FxHashSet;
@@ -49,21 +49,21 @@ impl Placing {
     fn is_plain(&self, problem: &Problem, var: Var) -> bool {
         let axis = |v: Var, of: &[Option<Var>]| of.iter().position(|o| *o == Some(v));
         match &problem.kinds[var as usize] {
-            Kind::Free => {
+            UnknownKind::Free => {
                 axis(var, &self.own).is_some()
                     || axis(var, &self.region).is_some()
                     || problem.initial[var as usize].is_point()
             }
-            Kind::Row(parts) => (0..2).all(|i| {
+            UnknownKind::Row(parts) => (0..2).all(|i| {
                 let sum = |v: Option<Var>| parts.iter().filter(|(p, _)| Some(*p) == v).map(|(_, c)| c).sum::<f64>();
                 self.region[i].is_none() || sum(self.own[i]) + sum(self.region[i]) == 0.0
             }),
-            Kind::Apply(_, a, b) => [a, b].iter().all(|t| {
+            UnknownKind::Apply(_, a, b) => [a, b].iter().all(|t| {
                 let placed =
                     |i: usize| self.region[i].is_some() && [self.own[i], self.region[i]].contains(&Some(t.var));
                 t.var == 0 || !(placed(0) || placed(1))
             }),
-            Kind::Indicator(_) => false,
+            UnknownKind::Indicator(_) => false,
         }
     }
 
@@ -77,16 +77,16 @@ impl Placing {
         for &var in &self.parts {
             let value = |t: &super::problem::Affine| t.of(values[t.var as usize]);
             let new = match &problem.kinds[var as usize] {
-                Kind::Free => match self.own.iter().position(|o| *o == Some(var)) {
+                UnknownKind::Free => match self.own.iter().position(|o| *o == Some(var)) {
                     Some(i) => of_own[i],
                     None if self.region.contains(&Some(var)) => Interval::point(0.0),
                     None => problem.initial[var as usize],
                 },
-                Kind::Row(parts) => {
+                UnknownKind::Row(parts) => {
                     parts.iter().fold(Interval::point(0.0), |sum, (v, c)| sum + values[*v as usize].scale(*c))
                 }
-                Kind::Apply(function, a, b) => narrow(*function, Interval::ALL, value(a), value(b))[0],
-                Kind::Indicator(_) => Interval::ALL,
+                UnknownKind::Apply(function, a, b) => narrow(*function, Interval::ALL, value(a), value(b))[0],
+                UnknownKind::Indicator(_) => Interval::ALL,
             };
             values[var as usize] = new;
         }
@@ -105,7 +105,7 @@ pub(super) fn conjuncts(problem: &Problem, claims: &[Claim]) -> Vec<Claim> {
     let mut out = Vec::new();
     while let Some(claim) = open.pop() {
         match &problem.verdicts[claim.index()] {
-            Verdict::All(parts) if !claim.is_contrary() => open.extend(parts.iter()),
+            VariableFormula::All(parts) if !claim.is_contrary() => open.extend(parts.iter()),
             _ => out.push(claim),
         }
     }
@@ -128,10 +128,10 @@ impl MadeOf {
         let (mut facts, mut compared) = (vec![claim], Vec::new());
         while let Some(claim) = facts.pop() {
             match &problem.verdicts[claim.index()] {
-                Verdict::Open => return None,
-                Verdict::Atom { term, .. } => compared.push(term.var),
-                Verdict::All(parts) | Verdict::AtLeast(_, parts) => facts.extend(parts.iter()),
-                Verdict::Iff(a, b) => facts.extend([*a, *b]),
+                VariableFormula::Open => return None,
+                VariableFormula::Atom { term, .. } => compared.push(term.var),
+                VariableFormula::All(parts) | VariableFormula::AtLeast(_, parts) => facts.extend(parts.iter()),
+                VariableFormula::Iff(a, b) => facts.extend([*a, *b]),
             }
             if facts.len() + compared.len() > MOST {
                 return None;
@@ -146,10 +146,10 @@ impl MadeOf {
                 return None;
             }
             match &problem.kinds[var as usize] {
-                Kind::Free => {}
-                Kind::Row(parts) => open.extend(parts.iter().map(|(v, _)| *v)),
-                Kind::Apply(_, a, b) => open.extend([a.var, b.var]),
-                Kind::Indicator(_) => return None,
+                UnknownKind::Free => {}
+                UnknownKind::Row(parts) => open.extend(parts.iter().map(|(v, _)| *v)),
+                UnknownKind::Apply(_, a, b) => open.extend([a.var, b.var]),
+                UnknownKind::Indicator(_) => return None,
             }
         }
         let mut vars: Vec<Var> = vars.into_iter().collect();
@@ -161,8 +161,8 @@ impl MadeOf {
 /// A claim where variables are in intervals.
 fn verdict(problem: &Problem, claim: Claim, values: &[Interval]) -> Option<bool> {
     let holds = match &problem.verdicts[claim.index()] {
-        Verdict::Open => None,
-        Verdict::Atom { term, bound, strict } => {
+        VariableFormula::Open => None,
+        VariableFormula::Atom { term, bound, strict } => {
             let value = term.of(values[term.var as usize]);
             let above = |x: f64| if *strict { x > *bound } else { x >= *bound };
             match (above(value.lo), above(value.hi)) {
@@ -171,9 +171,11 @@ fn verdict(problem: &Problem, claim: Claim, values: &[Interval]) -> Option<bool>
                 _ => None,
             }
         }
-        Verdict::All(parts) => at_least(problem, parts.len(), parts, values),
-        Verdict::AtLeast(n, parts) => at_least(problem, *n as usize, parts, values),
-        Verdict::Iff(a, b) => verdict(problem, *a, values).zip(verdict(problem, *b, values)).map(|(a, b)| a == b),
+        VariableFormula::All(parts) => at_least(problem, parts.len(), parts, values),
+        VariableFormula::AtLeast(n, parts) => at_least(problem, *n as usize, parts, values),
+        VariableFormula::Iff(a, b) => {
+            verdict(problem, *a, values).zip(verdict(problem, *b, values)).map(|(a, b)| a == b)
+        }
     };
     holds.map(|holds| holds != claim.is_contrary())
 }

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A thing on a floor, all sizes at least so (metres).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Kind {
+pub(super) struct ProbeBox {
     /// Its footprint, which the walls keep inside.
     pub size: [f64; 2],
     /// What of it is solid, about its middle: nothing, where it is its centre that keeps distances.
@@ -21,7 +21,7 @@ pub(super) struct Kind {
     pub turns: [f64; 2],
 }
 
-impl Kind {
+impl ProbeBox {
     /// The area that it keeps for itself.
     pub fn taken(&self) -> f64 {
         let [w, d] = self.core;
@@ -57,7 +57,7 @@ pub(super) struct Cell {
 /// not exclude.
 pub(super) fn covers_one(
     floor: [f64; 2],
-    kind: &Kind,
+    kind: &ProbeBox,
     points: &Points,
     may_be: &mut dyn FnMut(&Cell) -> bool,
     work: &mut u64,
@@ -112,7 +112,7 @@ pub(super) fn covers_one(
 type Spread = fn(f64, f64, f64, usize) -> Vec<f64>;
 
 /// Guesses for things of a kind on a floor: fewer than `fewer` points each.
-pub(super) fn guesses(floor: [f64; 2], kind: &Kind, fewer: usize) -> Vec<Points> {
+pub(super) fn guesses(floor: [f64; 2], kind: &ProbeBox, fewer: usize) -> Vec<Points> {
     let side = kind.core[0].min(kind.core[1]) + 2.0 * kind.space;
     let longer = kind.core[0].max(kind.core[1]) + 2.0 * kind.space;
     let most = fewer.saturating_sub(1).min(MOST_POINTS);

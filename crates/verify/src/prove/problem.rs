@@ -29,7 +29,7 @@ impl Affine {
 
 /// What a variable is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum UnknownKind {
     Free,
     /// The sum of variables times coefficients, sorted by variable.
     Row(Box<[(Var, f64)]>),
@@ -55,7 +55,7 @@ pub(super) enum Function {
 
 /// A verdict in terms of variables.
 #[derive(Clone, Debug)]
-pub(super) enum Verdict {
+pub(super) enum VariableFormula {
     Open,
     /// The term is at least the bound; strict: more.
     Atom {
@@ -71,7 +71,7 @@ pub(super) enum Verdict {
 /// Variables and verdicts; those of the tape that no claim asked for are left out.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Problem {
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<UnknownKind>,
     /// What each is in whatever happens.
     pub initial: Vec<Interval>,
     /// By variable: the variables that are made of it.
@@ -79,7 +79,7 @@ pub(super) struct Problem {
     /// By variable: the verdicts about it.
     pub atoms: Vec<Vec<u32>>,
     /// By index of a fact of the tape.
-    pub verdicts: Vec<Verdict>,
+    pub verdicts: Vec<VariableFormula>,
     /// By index of a fact: the facts that are made of it.
     pub above: Vec<Vec<u32>>,
     /// Lengths: the variable, and the differences it is the length of.
@@ -111,7 +111,7 @@ impl Problem {
             initial: Vec::new(),
             parents: Vec::new(),
             atoms: Vec::new(),
-            verdicts: vec![Verdict::Open; tape.facts.len()],
+            verdicts: vec![VariableFormula::Open; tape.facts.len()],
             above: vec![Vec::new(); tape.facts.len()],
             lengths: Vec::new(),
             curved: Vec::new(),
@@ -119,27 +119,27 @@ impl Problem {
             rows: FxHashMap::default(),
             applied: FxHashMap::default(),
         };
-        own.variable(Kind::Free, Interval::point(0.0));
+        own.variable(UnknownKind::Free, Interval::point(0.0));
         let mut sums: Vec<Sum> = vec![Sum::default(); tape.ops.len()];
         for index in (0..tape.ops.len()).filter(|&i| terms[i]) {
             sums[index] = own.sum(tape, &sums, index);
         }
         for index in (0..tape.facts.len()).filter(|&i| facts[i]) {
             let verdict = match &tape.facts[index] {
-                Fact::True | Fact::Open(_) => Verdict::Open,
+                Fact::True | Fact::Open(_) => VariableFormula::Open,
                 Fact::Atom { term, bound, strict } => {
                     let term = own.affine(&sums[term.0 as usize]);
                     own.atoms[term.var as usize].push(index as u32);
-                    Verdict::Atom { term, bound: f64::from_bits(*bound), strict: *strict }
+                    VariableFormula::Atom { term, bound: f64::from_bits(*bound), strict: *strict }
                 }
-                Fact::All(parts) => Verdict::All(parts.clone()),
-                Fact::AtLeast(n, parts) => Verdict::AtLeast(*n, parts.clone()),
-                Fact::Iff(a, b) => Verdict::Iff(*a, *b),
+                Fact::All(parts) => VariableFormula::All(parts.clone()),
+                Fact::AtLeast(n, parts) => VariableFormula::AtLeast(*n, parts.clone()),
+                Fact::Iff(a, b) => VariableFormula::Iff(*a, *b),
             };
             let children: Vec<Claim> = match &verdict {
-                Verdict::All(parts) | Verdict::AtLeast(_, parts) => parts.to_vec(),
-                Verdict::Iff(a, b) => vec![*a, *b],
-                Verdict::Open | Verdict::Atom { .. } => Vec::new(),
+                VariableFormula::All(parts) | VariableFormula::AtLeast(_, parts) => parts.to_vec(),
+                VariableFormula::Iff(a, b) => vec![*a, *b],
+                VariableFormula::Open | VariableFormula::Atom { .. } => Vec::new(),
             };
             for child in children {
                 own.above[child.index()].push(index as u32);
@@ -158,11 +158,11 @@ impl Problem {
             let atoms = self.atoms[var].iter().all(|a| only.contains(a));
             let parents = self.parents[var].iter().all(|p| self.curved[*p as usize]);
             let used = !(self.atoms[var].is_empty() && self.parents[var].is_empty());
-            self.curved[var] = used && atoms && parents && !matches!(self.kinds[var], Kind::Free);
+            self.curved[var] = used && atoms && parents && !matches!(self.kinds[var], UnknownKind::Free);
         }
     }
 
-    fn variable(&mut self, kind: Kind, domain: Interval) -> Var {
+    fn variable(&mut self, kind: UnknownKind, domain: Interval) -> Var {
         let var = self.kinds.len() as Var;
         let mut of = |v: Var| {
             if v != 0 && self.parents[v as usize].last() != Some(&var) {
@@ -170,9 +170,9 @@ impl Problem {
             }
         };
         match &kind {
-            Kind::Row(parts) => parts.iter().for_each(|(v, _)| of(*v)),
-            Kind::Apply(_, a, b) => [a.var, b.var].into_iter().for_each(&mut of),
-            Kind::Free | Kind::Indicator(_) => {}
+            UnknownKind::Row(parts) => parts.iter().for_each(|(v, _)| of(*v)),
+            UnknownKind::Apply(_, a, b) => [a.var, b.var].into_iter().for_each(&mut of),
+            UnknownKind::Free | UnknownKind::Indicator(_) => {}
         }
         self.kinds.push(kind);
         self.initial.push(domain);
@@ -189,7 +189,7 @@ impl Problem {
             return *known;
         }
         let domain = parts.iter().fold(Interval::point(0.0), |sum, (v, c)| sum + self.initial[*v as usize].scale(*c));
-        let var = self.variable(Kind::Row(parts.into()), domain);
+        let var = self.variable(UnknownKind::Row(parts.into()), domain);
         self.rows.insert(key, var);
         var
     }
@@ -280,7 +280,8 @@ impl Problem {
             Op::Wrap(a) => (Function::Wrap, a, a),
             // An unknown; or a sum that could not be joined, of which only the range is known.
             op => {
-                let kind = if let Op::Indicator(claim) = op { Kind::Indicator(claim) } else { Kind::Free };
+                let kind =
+                    if let Op::Indicator(claim) = op { UnknownKind::Indicator(claim) } else { UnknownKind::Free };
                 return self.named(index, self.kinds.len() as Var, 1.0, Some((kind, range)));
             }
         };
@@ -295,7 +296,7 @@ impl Problem {
         }
         let var = self.kinds.len() as Var;
         self.applied.insert(key, var);
-        let sum = self.named(index, var, sign, Some((Kind::Apply(function, a, b), range)));
+        let sum = self.named(index, var, sign, Some((UnknownKind::Apply(function, a, b), range)));
         if let Op::Sqrt(a) = tape.ops[index] {
             self.length(sums, var, a);
         }
@@ -303,7 +304,7 @@ impl Problem {
     }
 
     /// A variable up to sign as the sum of a term, made where there is a kind for it.
-    fn named(&mut self, index: usize, var: Var, sign: f64, new: Option<(Kind, Interval)>) -> Sum {
+    fn named(&mut self, index: usize, var: Var, sign: f64, new: Option<(UnknownKind, Interval)>) -> Sum {
         if let Some((kind, range)) = new {
             self.variable(kind, range);
         }
@@ -319,7 +320,7 @@ impl Problem {
             .parts
             .iter()
             .map(|(v, c)| match &self.kinds[*v as usize] {
-                Kind::Apply(Function::Square, a, _) if *c == 1.0 => Some(*a),
+                UnknownKind::Apply(Function::Square, a, _) if *c == 1.0 => Some(*a),
                 _ => None,
             })
             .collect();

@@ -6,11 +6,11 @@
 
 use super::cuts::{self, Points};
 use super::interval::Interval;
-use super::model::Model;
+use super::model::ClaimModel;
 use super::packing::Packing;
-use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
-use super::simplex::{Outcome, Simplex};
-use super::state::{Conflict, EventId, Rule, State, What};
+use super::problem::{Affine, Function, Problem, UnknownKind, Var, VariableFormula};
+use super::simplex::{Simplex, SimplexOutcome};
+use super::state::{Conflict, EventId, EventKind, Rule, State};
 use super::tape::Claim;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -32,15 +32,15 @@ enum Supposition {
 
 /// How a step of a proof is told: its depth, and what happened.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Told {
+pub(super) struct ProofEvent {
     pub depth: usize,
-    pub what: What,
+    pub what: EventKind,
     /// The steps before it that it follows from.
     pub reasons: Vec<usize>,
 }
 
 /// A search over one problem.
-pub(super) struct Search<'a> {
+pub(super) struct Refutation<'a> {
     pub problem: Problem,
     pub state: State,
     simplex: Simplex,
@@ -56,7 +56,7 @@ pub(super) struct Search<'a> {
     /// Whether it ended, without supposing anything, because boxes do not fit.
     pub is_full: bool,
     /// The proof, if it is to be told.
-    pub told: Option<Vec<Told>>,
+    pub told: Option<Vec<ProofEvent>>,
     told_as: Vec<Option<usize>>,
 }
 
@@ -68,11 +68,11 @@ enum End {
     Open,
 }
 
-impl<'a> Search<'a> {
+impl<'a> Refutation<'a> {
     /// A search that may do `most` work.
     pub fn new(
         problem: Problem,
-        model: &Model,
+        model: &ClaimModel,
         packing: &'a Packing,
         most: u64,
         cancel: Option<&'a AtomicBool>,
@@ -107,7 +107,7 @@ impl<'a> Search<'a> {
         }
         match self.search(0, 0, None) {
             End::Refuted { rests, .. } => {
-                let event = self.state.event(What::Excluded, &rests);
+                let event = self.state.event(EventKind::Excluded, &rests);
                 Some(self.used(event))
             }
             End::Open => None,
@@ -121,7 +121,7 @@ impl<'a> Search<'a> {
             failed = failed.and(self.state.decide(*claim, &[]));
         }
         for (index, claim) in given.iter().enumerate() {
-            let event = self.state.event(What::Given(index as u32), &[]);
+            let event = self.state.event(EventKind::Given(index as u32), &[]);
             failed = failed.and_then(|()| self.state.decide(*claim, &[event]));
         }
         if let Err(conflict) = failed {
@@ -139,7 +139,7 @@ impl<'a> Search<'a> {
             if std::mem::replace(&mut seen[at as usize], true) {
                 continue;
             }
-            if let What::Given(index) = self.state.what(at) {
+            if let EventKind::Given(index) = self.state.what(at) {
                 out.push(index as usize);
             }
             open.extend(self.state.reasons(at));
@@ -181,11 +181,11 @@ impl<'a> Search<'a> {
         let mut work = self.state.work;
         let outcome = self.simplex.check(&self.problem, &self.state, strictly, &mut work, self.most);
         self.state.work = work;
-        let Outcome::Contradiction(shares) = outcome else { return Ok(outcome == Outcome::Fits) };
+        let SimplexOutcome::Contradiction(shares) = outcome else { return Ok(outcome == SimplexOutcome::Fits) };
         let Some(shares) = Simplex::certificate(&self.problem, &self.state.domain, &shares) else { return Ok(false) };
         let reasons: Vec<EventId> =
             shares.iter().map(|s| self.state.why[s.var as usize][usize::from(s.upper)]).collect();
-        Err(Conflict(self.state.event(What::Conflict(Rule::Sum), &reasons)))
+        Err(Conflict(self.state.event(EventKind::Conflict(Rule::Sum), &reasons)))
     }
 
     fn cut(&mut self, cut: &cuts::Cut) -> Result<(), Conflict> {
@@ -223,7 +223,7 @@ impl<'a> Search<'a> {
                 continue;
             };
             let mark = self.state.mark();
-            let event = self.state.event(What::Supposed, &[]);
+            let event = self.state.event(EventKind::Supposed, &[]);
             let tried = match supposition {
                 Supposition::Claim(claim) => self.state.decide(claim, &[event]),
                 Supposition::Half { var, value } => self.state.bound(var, Interval::to(value), &[event]),
@@ -237,7 +237,7 @@ impl<'a> Search<'a> {
             self.forget(mark.event);
             if !by_supposition {
                 // It failed without what was supposed: so it fails here.
-                let conflict = self.state.event(What::Excluded, &rests);
+                let conflict = self.state.event(EventKind::Excluded, &rests);
                 return self.refuted(conflict, start, depth);
             }
             let excluded = match supposition {
@@ -254,7 +254,7 @@ impl<'a> Search<'a> {
     fn refuted(&mut self, conflict: EventId, start: EventId, depth: usize) -> End {
         self.tell(conflict, depth);
         self.is_full =
-            depth == 0 && matches!(self.state.what(conflict), What::Conflict(Rule::Packing | Rule::Beside { .. }));
+            depth == 0 && matches!(self.state.what(conflict), EventKind::Conflict(Rule::Packing | Rule::Beside { .. }));
         self.weight *= 1.05;
         let mut seen = vec![false; (conflict - start) as usize + 1];
         let mut open = vec![conflict];
@@ -269,9 +269,9 @@ impl<'a> Search<'a> {
                 continue;
             }
             match self.state.what(at) {
-                What::Supposed if at == start => by_supposition = true,
-                What::Given(_) if start == 0 => rests.push(at),
-                What::Decided(claim) => {
+                EventKind::Supposed if at == start => by_supposition = true,
+                EventKind::Given(_) if start == 0 => rests.push(at),
+                EventKind::Decided(claim) => {
                     self.activity[claim.index()] += self.weight;
                     open.extend(self.state.reasons(at));
                 }
@@ -290,19 +290,19 @@ impl<'a> Search<'a> {
         self.state.work += self.problem.verdicts.len() as u64 / 4;
         for (fact, verdict) in self.problem.verdicts.iter().enumerate() {
             let (parts, wanted): (&[Claim], bool) = match (verdict, self.state.verdict[fact]) {
-                (Verdict::All(parts), Some(false)) => (parts, false),
-                (Verdict::AtLeast(_, parts), Some(holds)) => (parts, holds),
-                (Verdict::Iff(a, _), Some(_)) if self.state.verdict[a.index()].is_none() => {
+                (VariableFormula::All(parts), Some(false)) => (parts, false),
+                (VariableFormula::AtLeast(_, parts), Some(holds)) => (parts, holds),
+                (VariableFormula::Iff(a, _), Some(_)) if self.state.verdict[a.index()].is_none() => {
                     (std::slice::from_ref(a), true)
                 }
                 _ => continue,
             };
             let settled = match verdict {
-                Verdict::All(parts) => parts.iter().any(|p| self.state.is_false(*p)),
-                Verdict::AtLeast(n, parts) if wanted => {
+                VariableFormula::All(parts) => parts.iter().any(|p| self.state.is_false(*p)),
+                VariableFormula::AtLeast(n, parts) if wanted => {
                     parts.iter().filter(|p| self.state.is_true(**p)).count() >= *n as usize
                 }
-                Verdict::AtLeast(n, parts) => {
+                VariableFormula::AtLeast(n, parts) => {
                     parts.iter().filter(|p| self.state.is_false(**p)).count() + *n as usize > parts.len()
                 }
                 _ => false,
@@ -332,7 +332,7 @@ impl<'a> Search<'a> {
     fn halve(&self) -> Option<Supposition> {
         let mut best: Option<(f64, Supposition)> = None;
         for (index, kind) in self.problem.kinds.iter().enumerate() {
-            let Kind::Apply(function, a, b) = kind else { continue };
+            let UnknownKind::Apply(function, a, b) = kind else { continue };
             // Where linear reasoning has it right there is nothing to gain.
             if self.is_right(*function, index as Var, *a, *b) {
                 continue;
@@ -390,7 +390,7 @@ impl<'a> Search<'a> {
                 .iter()
                 .filter_map(|r| self.told_as.get(*r as usize).copied().flatten())
                 .collect();
-            let told = Told { depth, what: self.state.what(event), reasons };
+            let told = ProofEvent { depth, what: self.state.what(event), reasons };
             if let Some(list) = &mut self.told {
                 if self.told_as.len() <= event as usize {
                     self.told_as.resize(event as usize + 1, None);

@@ -6,7 +6,7 @@
 //! intervals ([`Simplex::certificate`]), and only what passes there is a proof.
 
 use super::interval::Interval;
-use super::problem::{Kind, Problem, Var};
+use super::problem::{Problem, UnknownKind, Var};
 use super::state::{EventId, State};
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ pub(super) struct Share {
 
 /// What came of a check.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Outcome {
+pub(super) enum SimplexOutcome {
     /// The values are within all bounds.
     Fits,
     /// These bounds contradict each other.
@@ -66,7 +66,7 @@ impl Simplex {
         self.rows.resize(problem.kinds.len(), None);
         self.columns.resize(problem.kinds.len(), Vec::new());
         for (var, why) in why.iter().enumerate() {
-            let Kind::Row(parts) = &problem.kinds[var] else { continue };
+            let UnknownKind::Row(parts) = &problem.kinds[var] else { continue };
             if *why == [0, 0] || problem.curved[var] || self.rows[var].is_some() || self.is_in[var] {
                 continue;
             }
@@ -94,7 +94,9 @@ impl Simplex {
             let factor = factor * c;
             match (&self.rows[*part as usize], &problem.kinds[*part as usize]) {
                 (Some(inner), _) => out.extend(inner.iter().map(|(v, c)| (*v, factor * c))),
-                (None, Kind::Row(inner)) if !self.is_in[*part as usize] => self.flatten(problem, inner, factor, out),
+                (None, UnknownKind::Row(inner)) if !self.is_in[*part as usize] => {
+                    self.flatten(problem, inner, factor, out)
+                }
                 _ => out.push((*part, factor)),
             }
         }
@@ -104,7 +106,14 @@ impl Simplex {
     ///
     /// `strictly`: every interval is taken a little narrower, so that a circle of `<` shows; the contradiction must then
     /// be tried on the true ones, as ever.
-    pub fn check(&mut self, problem: &Problem, state: &State, strictly: bool, work: &mut u64, most: u64) -> Outcome {
+    pub fn check(
+        &mut self,
+        problem: &Problem,
+        state: &State,
+        strictly: bool,
+        work: &mut u64,
+        most: u64,
+    ) -> SimplexOutcome {
         self.grow(problem, &state.why);
         let narrower = |d: &Interval| {
             if d.width() > 4.0 * INSIDE { Interval::new(d.lo + INSIDE, d.hi - INSIDE) } else { *d }
@@ -114,7 +123,7 @@ impl Simplex {
         let outcome = self.repair(&domain, work, most);
         // Rows that stayed out are what their variables make them.
         for (var, kind) in problem.kinds.iter().enumerate() {
-            if let Kind::Row(parts) = kind
+            if let UnknownKind::Row(parts) = kind
                 && !self.is_in[var]
             {
                 self.values[var] = parts.iter().map(|(v, c)| c * self.values[*v as usize]).sum();
@@ -124,7 +133,7 @@ impl Simplex {
         outcome
     }
 
-    fn repair(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> Outcome {
+    fn repair(&mut self, domain: &[Interval], work: &mut u64, most: u64) -> SimplexOutcome {
         // Independent ones to within their bounds, dependent ones by their rows.
         for (var, bounds) in domain.iter().enumerate() {
             if self.rows[var].is_none() {
@@ -139,7 +148,7 @@ impl Simplex {
         }
         for round in 0..2000 {
             if *work > most {
-                return Outcome::Unknown;
+                return SimplexOutcome::Unknown;
             }
             // The worst first, until that might run in circles; then the first (Bland's rule ends).
             let mut worst: Option<(Var, bool, f64)> = None;
@@ -151,8 +160,8 @@ impl Simplex {
                 }
             }
             *work += self.dependent.len() as u64 / 8 + 1;
-            let Some((var, over, _)) = worst else { return Outcome::Fits };
-            let Some(row) = &self.rows[var as usize] else { return Outcome::Unknown };
+            let Some((var, over, _)) = worst else { return SimplexOutcome::Fits };
+            let Some(row) = &self.rows[var as usize] else { return SimplexOutcome::Unknown };
             // A variable that can move the right way, of large factor in preference.
             let mut best: Option<(Var, f64)> = None;
             for &(other, c) in row {
@@ -170,7 +179,7 @@ impl Simplex {
                     if over { domain[var as usize].hi } else { domain[var as usize].lo },
                     work,
                 ),
-                Some(_) => return Outcome::Unknown,
+                Some(_) => return SimplexOutcome::Unknown,
                 None => {
                     let mut shares = vec![Share { var, upper: over, factor: 1.0 }];
                     shares.extend(row.iter().map(|&(other, c)| Share {
@@ -178,11 +187,11 @@ impl Simplex {
                         upper: (c > 0.0) != over,
                         factor: c.abs(),
                     }));
-                    return Outcome::Contradiction(shares);
+                    return SimplexOutcome::Contradiction(shares);
                 }
             }
         }
-        Outcome::Unknown
+        SimplexOutcome::Unknown
     }
 
     /// The dependent `var` becomes independent, at `value`, in the place of `other`.
@@ -268,7 +277,7 @@ impl Simplex {
                 *entry = *entry + c;
             };
             match &problem.kinds[share.var as usize] {
-                Kind::Row(parts) => expand(problem, parts, factor, &mut add),
+                UnknownKind::Row(parts) => expand(problem, parts, factor, &mut add),
                 _ => add(share.var, factor),
             }
         }
@@ -302,7 +311,7 @@ fn expand(problem: &Problem, parts: &[(Var, f64)], factor: Interval, add: &mut i
         let factor = factor * Interval::point(*c);
         match &problem.kinds[*var as usize] {
             // A cut is a row of rows; those are of plain variables.
-            Kind::Row(inner) => expand(problem, inner, factor, add),
+            UnknownKind::Row(inner) => expand(problem, inner, factor, add),
             _ => add(*var, factor),
         }
     }

@@ -6,7 +6,7 @@
 
 use super::interval::{Interval, down, up};
 use super::narrow::narrow;
-use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
+use super::problem::{Affine, Function, Problem, UnknownKind, Var, VariableFormula};
 use super::tape::Claim;
 use std::collections::VecDeque;
 
@@ -15,7 +15,7 @@ pub(super) type EventId = u32;
 
 /// What happened, for explanations and for finding what a conflict rests on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum What {
+pub(super) enum EventKind {
     /// A statement or a rule was taken as given: an index into the caller's list.
     Given(u32),
     /// Supposed, to see whether it can be.
@@ -48,7 +48,7 @@ pub(super) enum Rule {
 /// An event with the events that it follows from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Event {
-    pub what: What,
+    pub what: EventKind,
     start: u32,
     end: u32,
 }
@@ -106,7 +106,7 @@ impl State {
             why: vec![[0; 2]; problem.initial.len()],
             verdict,
             verdict_why: vec![0; facts],
-            events: vec![Event { what: What::Excluded, start: 0, end: 0 }],
+            events: vec![Event { what: EventKind::Excluded, start: 0, end: 0 }],
             reasons: Vec::new(),
             trail: Vec::new(),
             vars: VecDeque::new(),
@@ -150,13 +150,13 @@ impl State {
         self.facts.clear();
     }
 
-    pub fn event(&mut self, what: What, reasons: &[EventId]) -> EventId {
+    pub fn event(&mut self, what: EventKind, reasons: &[EventId]) -> EventId {
         let start = self.reasons.len() as u32;
         self.reasons.extend(reasons.iter().filter(|r| **r != 0));
         self.events.push(Event { what, start, end: self.reasons.len() as u32 });
         self.events.len() as EventId - 1
     }
-    pub fn what(&self, event: EventId) -> What {
+    pub fn what(&self, event: EventId) -> EventKind {
         self.events[event as usize].what
     }
     pub fn reasons(&self, event: EventId) -> &[EventId] {
@@ -179,9 +179,9 @@ impl State {
         if self.is_false(claim) {
             let mut all = reasons.to_vec();
             all.push(self.verdict_why[claim.index()]);
-            return Err(Conflict(self.event(What::Conflict(Rule::Verdict(claim)), &all)));
+            return Err(Conflict(self.event(EventKind::Conflict(Rule::Verdict(claim)), &all)));
         }
-        let event = self.event(What::Decided(claim), reasons);
+        let event = self.event(EventKind::Decided(claim), reasons);
         self.decide_by(claim, event);
         Ok(())
     }
@@ -215,10 +215,10 @@ impl State {
         if !new.is_empty() && moved <= progress * old.width() && old.width().is_finite() {
             return Ok(());
         }
-        let event = self.event(What::Bound { var, upper, value }, reasons);
+        let event = self.event(EventKind::Bound { var, upper, value }, reasons);
         if new.is_empty() {
             let other = self.why[var as usize][usize::from(!upper)];
-            return Err(Conflict(self.event(What::Conflict(Rule::Empty(var)), &[event, other])));
+            return Err(Conflict(self.event(EventKind::Conflict(Rule::Empty(var)), &[event, other])));
         }
         self.trail.push(Undo::Domain { var, domain: old, why: self.why[var as usize] });
         self.domain[var as usize] = new;
@@ -240,7 +240,7 @@ impl State {
                 for &parent in &problem.above[fact as usize] {
                     // A conjunction that holds has told its parts already.
                     let told = self.verdict[parent as usize] == Some(true);
-                    if !(told && matches!(problem.verdicts[parent as usize], Verdict::All(_))) {
+                    if !(told && matches!(problem.verdicts[parent as usize], VariableFormula::All(_))) {
                         self.fact(problem, parent)?;
                     }
                 }
@@ -262,7 +262,7 @@ impl State {
     /// Wakes everything once: what follows from the start.
     pub fn wake(&mut self, problem: &Problem) {
         for (var, kind) in problem.kinds.iter().enumerate() {
-            if !matches!(kind, Kind::Free) && !self.in_vars[var] {
+            if !matches!(kind, UnknownKind::Free) && !self.in_vars[var] {
                 self.in_vars[var] = true;
                 self.vars.push_back(var as Var);
             }
@@ -272,7 +272,7 @@ impl State {
     /// From a decided fact to what it is made of.
     fn down(&mut self, problem: &Problem, fact: u32) -> Result<(), Conflict> {
         self.work += 1;
-        if let Verdict::Atom { term, bound, strict } = problem.verdicts[fact as usize] {
+        if let VariableFormula::Atom { term, bound, strict } = problem.verdicts[fact as usize] {
             let Some(holds) = self.verdict[fact as usize] else { return Ok(()) };
             let whole = match (holds, strict) {
                 (true, false) => Interval::from(bound),
@@ -288,7 +288,7 @@ impl State {
     /// A comparison that its variable decides.
     fn atom(&mut self, problem: &Problem, fact: u32) -> Result<(), Conflict> {
         self.work += 1;
-        let Verdict::Atom { term, bound, strict } = problem.verdicts[fact as usize] else { return Ok(()) };
+        let VariableFormula::Atom { term, bound, strict } = problem.verdicts[fact as usize] else { return Ok(()) };
         if self.verdict[fact as usize].is_some() {
             return Ok(());
         }
@@ -309,10 +309,10 @@ impl State {
     fn fact(&mut self, problem: &Problem, fact: u32) -> Result<(), Conflict> {
         let claim = Claim(2 * fact);
         match &problem.verdicts[fact as usize] {
-            Verdict::Open | Verdict::Atom { .. } => Ok(()),
-            Verdict::All(parts) => self.at_least(claim, parts.len(), parts),
-            Verdict::AtLeast(n, parts) => self.at_least(claim, *n as usize, parts),
-            Verdict::Iff(a, b) => {
+            VariableFormula::Open | VariableFormula::Atom { .. } => Ok(()),
+            VariableFormula::All(parts) => self.at_least(claim, parts.len(), parts),
+            VariableFormula::AtLeast(n, parts) => self.at_least(claim, *n as usize, parts),
+            VariableFormula::Iff(a, b) => {
                 self.work += 1;
                 let sides = [*a, *b, claim];
                 let known = sides.map(|s| self.verdict[s.index()].map(|v| v != s.is_contrary()));
@@ -320,7 +320,7 @@ impl State {
                 let [i] = open.as_slice() else {
                     if open.is_empty() && (known[0] == known[1]) != (known[2] == Some(true)) {
                         let why = sides.map(|s| self.verdict_why[s.index()]);
-                        return Err(Conflict(self.event(What::Conflict(Rule::Verdict(claim)), &why)));
+                        return Err(Conflict(self.event(EventKind::Conflict(Rule::Verdict(claim)), &why)));
                     }
                     return Ok(());
                 };
@@ -382,7 +382,7 @@ impl State {
         claim: Claim,
     ) -> Result<(), Conflict> {
         if over {
-            return Err(Conflict(self.event(What::Conflict(Rule::Verdict(claim)), why)));
+            return Err(Conflict(self.event(EventKind::Conflict(Rule::Verdict(claim)), why)));
         }
         for part in parts {
             if self.verdict[part.index()].is_none() {
@@ -395,10 +395,10 @@ impl State {
     /// What a variable is made of narrows it, and it what it is made of.
     fn revise(&mut self, problem: &Problem, var: Var) -> Result<(), Conflict> {
         match &problem.kinds[var as usize] {
-            Kind::Free => Ok(()),
-            Kind::Row(parts) => self.revise_row(var, parts),
-            Kind::Apply(function, a, b) => self.revise_operation(*function, var, *a, *b),
-            Kind::Indicator(claim) => {
+            UnknownKind::Free => Ok(()),
+            UnknownKind::Row(parts) => self.revise_row(var, parts),
+            UnknownKind::Apply(function, a, b) => self.revise_operation(*function, var, *a, *b),
+            UnknownKind::Indicator(claim) => {
                 let domain = self.domain[var as usize];
                 let why = self.why[var as usize];
                 if self.is_true(*claim) {

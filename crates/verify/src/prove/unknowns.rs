@@ -14,7 +14,7 @@ use crate::eval::{Truth, rectangle};
 use crate::number::{Algebra, Logic};
 use crate::tolerances::Options;
 use crate::vector::{M3, V3};
-use crate::world::{Body, Room, Thing, World};
+use crate::world::{Body, ObjectInstance, RegionInstance, World};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
     DrawId, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit,
@@ -64,7 +64,7 @@ pub(crate) struct Unknowns<'p> {
     /// A point of the solid of each object that a gap is asked of.
     points: FxHashMap<ObjectId, V3<Term>>,
     /// Spaces beside objects, with the claims that they are free.
-    pub spaces: Vec<(Claim, ObjectId, Thing<Term>)>,
+    pub spaces: Vec<(Claim, ObjectId, ObjectInstance<Term>)>,
     /// Directions with the angles between them that claims speak of.
     pub angles: Vec<([V3<Term>; 2], Term)>,
 }
@@ -207,7 +207,7 @@ impl<'p> Unknowns<'p> {
     }
 
     /// An object whose pins are known.
-    fn thing_of(&mut self, id: ObjectId, pins: &Pins, alike: &mut Alike) -> Thing<Term> {
+    fn thing_of(&mut self, id: ObjectId, pins: &Pins, alike: &mut Alike) -> ObjectInstance<Term> {
         let index = id.0 as usize;
         let pinned = |property| pins.get(&(Owner::Object(id), property)).map(|(_, value)| *value);
         let upright = self.usual.is_some_and(|usual| usual.upright[index]);
@@ -220,11 +220,11 @@ impl<'p> Unknowns<'p> {
         }
         let known = self.usual.and_then(|usual| usual.size[index]);
         let scale = pinned(Pinned::Scale).or(known.map(|s| V3(s.map(Term::constant)))).unwrap_or_else(size);
-        Thing { pos: pinned(Pinned::Pos).unwrap_or_else(place), rot, scale, axes, body: Body::unit() }
+        ObjectInstance { pos: pinned(Pinned::Pos).unwrap_or_else(place), rot, scale, axes, body: Body::unit() }
     }
 
     /// A region whose pins are known.
-    fn room_of(&mut self, id: RegionId, pins: &Pins, counts: &dyn Fn(usize) -> bool) -> Room<Term> {
+    fn room_of(&mut self, id: RegionId, pins: &Pins, counts: &dyn Fn(usize) -> bool) -> RegionInstance<Term> {
         let owner = Owner::Region(id);
         let pinned = |property| pins.get(&(owner, property)).map(|(_, value)| *value);
         let mut rests: Vec<usize> = [Pinned::Rot, Pinned::Pos, Pinned::Scale]
@@ -266,7 +266,7 @@ impl<'p> Unknowns<'p> {
                 counts.clone().for_each(|axis| own.0[axis] = value[axis]);
             }
         }
-        Room { pos, rot, scale, outlined: false, prism: Prism::unit() }
+        RegionInstance { pos, rot, scale, outlined: false, prism: Prism::unit() }
     }
 
     /// Names of the objects, regions and variables, in order.
@@ -418,12 +418,12 @@ impl<'p> Unknowns<'p> {
     }
 
     /// An object.
-    pub fn thing(&self, id: ObjectId) -> Thing<Term> {
+    pub fn thing(&self, id: ObjectId) -> ObjectInstance<Term> {
         self.world.objects[id.0 as usize].clone().expect("every object that is spoken of is there")
     }
 
     /// A region.
-    pub fn room(&self, id: RegionId) -> Room<Term> {
+    pub fn room(&self, id: RegionId) -> RegionInstance<Term> {
         self.world.regions[id.0 as usize].clone().expect("every region is there")
     }
 
@@ -495,7 +495,7 @@ impl<'p> Unknowns<'p> {
     }
 
     /// The same of a box that is turned as an object is.
-    pub fn wall_distances_of(&mut self, thing: &Thing<Term>, object: ObjectId, region: RegionId) -> [Term; 2] {
+    pub fn wall_distances_of(&mut self, thing: &ObjectInstance<Term>, object: ObjectId, region: RegionId) -> [Term; 2] {
         let room = self.room(region);
         let rows = self.frame(object, region);
         let between = thing.center() - room.pos;

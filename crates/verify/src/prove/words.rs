@@ -1,12 +1,12 @@
 //! Findings in words: diagnostics, and the steps of a proof.
 
 use super::minimal::{LARGEST, MOST_SAID};
-use super::model::{Model, Source};
-use super::problem::{Affine, Function, Kind, Problem, Var, Verdict};
-use super::refute::Told;
-use super::state::{Rule, What};
+use super::model::{ClaimModel, GivenSource};
+use super::problem::{Affine, Function, Problem, UnknownKind, Var, VariableFormula};
+use super::refute::ProofEvent;
+use super::state::{EventKind, Rule};
 use super::tape::{Claim, Op, Term};
-use super::{Contradiction, Findings, Proof, Step};
+use super::{Contradiction, Findings, Proof, ProofStep};
 use rustc_hash::FxHashMap;
 use scenelang_base::{Diagnostic, Span, codes};
 use scenelang_lang::program::Program;
@@ -76,47 +76,52 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
 }
 
 /// A proof in words.
-pub(super) fn proof(program: &Program, model: &Model, problem: &Problem, told: &[Told]) -> Proof {
+pub(super) fn proof(program: &Program, model: &ClaimModel, problem: &Problem, told: &[ProofEvent]) -> Proof {
     let mut speaker = Speaker { model, problem, names: FxHashMap::default() };
     for (index, term) in problem.terms.iter().enumerate() {
         if let (Some(name), Some(Affine { var, minus: false, .. })) = (model.names.get(&Term(index as u32)), term) {
             speaker.names.insert(*var, name.clone());
         }
     }
-    let mut steps: Vec<Step> = Vec::new();
+    let mut steps: Vec<ProofStep> = Vec::new();
     for step in told {
         let Some(text) = speaker.step(program, step, told) else { continue };
         if steps.last().is_none_or(|last| last.text != text) {
-            steps.push(Step { depth: step.depth, text });
+            steps.push(ProofStep { depth: step.depth, text });
         }
     }
     Proof { steps }
 }
 
 struct Speaker<'a> {
-    model: &'a Model,
+    model: &'a ClaimModel,
     problem: &'a Problem,
     names: FxHashMap<Var, String>,
 }
 
 impl Speaker<'_> {
-    fn step(&self, program: &Program, step: &Told, told: &[Told]) -> Option<String> {
+    fn step(&self, program: &Program, step: &ProofEvent, told: &[ProofEvent]) -> Option<String> {
         Some(match step.what {
-            What::Given(index) => match &self.model.given[index as usize].what {
-                Source::Statement(s) | Source::Contrary(s) => format!("given: `{}`", program.constraints[*s].text),
-                Source::Rule(rule) => format!("rule: {rule}"),
+            EventKind::Given(index) => match &self.model.given[index as usize].what {
+                GivenSource::Statement(s) | GivenSource::Contrary(s) => {
+                    format!("given: `{}`", program.constraints[*s].text)
+                }
+                GivenSource::Rule(rule) => format!("rule: {rule}"),
             },
-            What::Supposed => return None,
-            What::Decided(claim) => {
-                let supposed = step.reasons.iter().any(|r| told[*r].what == What::Supposed);
+            EventKind::Supposed => return None,
+            EventKind::Decided(claim) => {
+                let supposed = step.reasons.iter().any(|r| told[*r].what == EventKind::Supposed);
                 // What is part of something said already needs no words, and a comparison is said as a bound.
-                let plain = matches!(self.problem.verdicts[claim.index()], Verdict::AtLeast(..) | Verdict::Iff(..));
+                let plain = matches!(
+                    self.problem.verdicts[claim.index()],
+                    VariableFormula::AtLeast(..) | VariableFormula::Iff(..)
+                );
                 if !supposed && !plain {
                     return None;
                 }
                 format!("{} {}", if supposed { "suppose" } else { "so" }, self.claim(claim))
             }
-            What::Bound { var, upper, value } => {
+            EventKind::Bound { var, upper, value } => {
                 // The float next to 0 stands for what is strictly beyond it.
                 let strict = value != 0.0 && value.abs() < f64::MIN_POSITIVE;
                 let way = match (upper, strict) {
@@ -127,21 +132,21 @@ impl Speaker<'_> {
                 };
                 format!("{} is {way} {}", self.var(var, 0), short(if strict { 0.0 } else { value }))
             }
-            What::Conflict(rule) => match rule {
+            EventKind::Conflict(rule) => match rule {
                 Rule::Empty(var) => format!("no value is left for {}", self.var(var, 0)),
                 Rule::Verdict(_) => "that is a contradiction".to_owned(),
                 Rule::Sum => "added up, these inequalities contradict each other".to_owned(),
                 Rule::Packing => "together the boxes are too large for the region".to_owned(),
                 Rule::Beside { fit } => format!("at most {fit} of the boxes fit beside each other"),
             },
-            What::Excluded => "that cannot be".to_owned(),
+            EventKind::Excluded => "that cannot be".to_owned(),
         })
     }
 
     fn claim(&self, claim: Claim) -> String {
         let contrary = claim.is_contrary();
         match &self.problem.verdicts[claim.index()] {
-            Verdict::Atom { term, bound, strict } => {
+            VariableFormula::Atom { term, bound, strict } => {
                 let sign = match (contrary, strict) {
                     (false, false) => ">=",
                     (false, true) => ">",
@@ -150,18 +155,18 @@ impl Speaker<'_> {
                 };
                 format!("{} {sign} {}", self.affine(*term, 0), short(*bound))
             }
-            Verdict::All(parts) if contrary => {
+            VariableFormula::All(parts) if contrary => {
                 let parts: Vec<String> = parts.iter().take(4).map(|p| self.claim(Claim(p.0 ^ 1))).collect();
                 parts.join(" or ")
             }
-            Verdict::All(parts) => {
+            VariableFormula::All(parts) => {
                 let parts: Vec<String> = parts.iter().take(4).map(|p| self.claim(*p)).collect();
                 parts.join(" and ")
             }
-            Verdict::AtLeast(n, parts) => {
+            VariableFormula::AtLeast(n, parts) => {
                 format!("{}at least {n} of {} hold", if contrary { "not " } else { "" }, parts.len())
             }
-            Verdict::Iff(a, b) => {
+            VariableFormula::Iff(a, b) => {
                 format!(
                     "{} {} {}",
                     self.claim(*a),
@@ -169,7 +174,7 @@ impl Speaker<'_> {
                     self.claim(*b)
                 )
             }
-            Verdict::Open => (if contrary { "a predicate fails" } else { "a predicate holds" }).to_owned(),
+            VariableFormula::Open => (if contrary { "a predicate fails" } else { "a predicate holds" }).to_owned(),
         }
     }
 
@@ -193,8 +198,8 @@ impl Speaker<'_> {
             return "…".to_owned();
         }
         match &self.problem.kinds[var as usize] {
-            Kind::Free => self.measure(var),
-            Kind::Row(parts) => {
+            UnknownKind::Free => self.measure(var),
+            UnknownKind::Row(parts) => {
                 let mut out = String::new();
                 for (index, (part, c)) in parts.iter().take(8).enumerate() {
                     let sign = match (index, *c < 0.0) {
@@ -211,7 +216,7 @@ impl Speaker<'_> {
                 }
                 out
             }
-            Kind::Apply(function, a, b) => {
+            UnknownKind::Apply(function, a, b) => {
                 let (x, y) = (self.affine(*a, depth + 1), self.affine(*b, depth + 1));
                 match function {
                     Function::Mul => format!("({x})·({y})"),
@@ -227,7 +232,7 @@ impl Speaker<'_> {
                     Function::Wrap => format!("({x} modulo 360)"),
                 }
             }
-            Kind::Indicator(claim) => format!("[{}]", self.claim(*claim)),
+            UnknownKind::Indicator(claim) => format!("[{}]", self.claim(*claim)),
         }
     }
 

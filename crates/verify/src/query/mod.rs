@@ -7,7 +7,7 @@ pub use rests::{On, RestsOn};
 
 use crate::Checked;
 use crate::check::Subject;
-use crate::report::model::{JudgedWith, Kind, Place};
+use crate::report::model::{JudgedWith, RowKind, SourceSpan};
 use crate::report::{place, statement_id};
 use crate::tolerances::Options;
 use crate::world::World;
@@ -62,7 +62,7 @@ pub struct Object {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Declared {
     /// Where it is.
-    pub span: Place,
+    pub span: SourceSpan,
     /// As written, on one line.
     pub text: String,
 }
@@ -100,7 +100,7 @@ pub struct Details {
     pub joints: Vec<Opens>,
     /// Every constraint that speaks of it: stated ones, then physical rules. That it is inside of no other thing is not
     /// listed for each of them.
-    pub constraints: Vec<Row>,
+    pub constraints: Vec<QueryRow>,
 }
 
 /// A movable part.
@@ -118,11 +118,11 @@ pub struct Opens {
 
 /// A constraint with its verdict.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct QueryRow {
     /// As in reports: `room.scene:12:1`, `P-SUPPORT:lamp`.
     pub id: String,
     /// What kind.
-    pub kind: Kind,
+    pub kind: RowKind,
     /// The statement as written, or the rule in words.
     pub text: String,
     /// The verdict; `None`: it cannot be judged, or there is no layout.
@@ -205,20 +205,20 @@ fn declarations(program: &Program, sources: &SourceMap) -> BTreeMap<Span, Span> 
 }
 
 /// All rows, each with the objects that it speaks of. Pairs that are not inside of each other are left out.
-fn rows(checked: &Checked, program: &Program) -> Vec<(Vec<ObjectId>, Row)> {
+fn rows(checked: &Checked, program: &Program) -> Vec<(Vec<ObjectId>, QueryRow)> {
     if checked.layout.is_none() {
         let name = checked.report.file.as_str();
         return program.constraints.iter().map(|c| (c.formula.objects(), stated(c, name, &checked.sources))).collect();
     }
     let judged = checked.verdict.rows.iter().zip(&checked.report.constraints);
-    let told = judged.filter(|(row, _)| row.kind != Kind::Collision || row.satisfied != Some(true));
+    let told = judged.filter(|(row, _)| row.kind != RowKind::Collision || row.satisfied != Some(true));
     told.map(|(judged, row)| {
         let objects = match judged.subject {
             Subject::Statement(index) => program.constraints[index].formula.objects(),
             Subject::Pair(a, b) => vec![a, b],
             Subject::Object(id) | Subject::Part(id, _) => vec![id],
         };
-        let row = Row {
+        let row = QueryRow {
             id: row.id.clone(),
             kind: row.kind,
             text: row.text.clone(),
@@ -234,13 +234,13 @@ fn rows(checked: &Checked, program: &Program) -> Vec<(Vec<ObjectId>, Row)> {
 }
 
 /// A constraint that nobody has judged.
-fn stated(constraint: &Constraint, name: &str, sources: &SourceMap) -> Row {
-    Row {
+fn stated(constraint: &Constraint, name: &str, sources: &SourceMap) -> QueryRow {
+    QueryRow {
         id: statement_id(name, sources, constraint.span),
         kind: match constraint.kind {
-            ConstraintKind::Assert => Kind::Assert,
-            ConstraintKind::Prefer { .. } => Kind::Prefer,
-            ConstraintKind::Pin => Kind::Pin,
+            ConstraintKind::Assert => RowKind::Assert,
+            ConstraintKind::Prefer { .. } => RowKind::Prefer,
+            ConstraintKind::Pin => RowKind::Pin,
         },
         text: constraint.text.clone(),
         satisfied: None,
@@ -255,7 +255,7 @@ struct Builder<'a> {
     checked: &'a Checked,
     program: &'a Program,
     declarations: BTreeMap<Span, Span>,
-    rows: Vec<(Vec<ObjectId>, Row)>,
+    rows: Vec<(Vec<ObjectId>, QueryRow)>,
     /// By object: which rows speak of it.
     of_object: Vec<Vec<usize>>,
 }
@@ -266,7 +266,7 @@ impl Builder<'_> {
         let sources = &self.checked.sources;
         let span = *self.declarations.get(&object.span).unwrap_or(&object.span);
         let placement = self.checked.layout.as_ref().and_then(|layout| layout.object(&object.name));
-        let own: Vec<&Row> = self.of_object[id.0 as usize].iter().map(|&index| &self.rows[index].1).collect();
+        let own: Vec<&QueryRow> = self.of_object[id.0 as usize].iter().map(|&index| &self.rows[index].1).collect();
         let details = || Details {
             rests_on: world.and_then(|world| rests::on(self.checked, self.program, world, id)),
             joints: placement.into_iter().flat_map(|p| &p.joints).map(opens).collect(),
@@ -293,12 +293,12 @@ fn opens(joint: &scenelang_layout::Joint) -> Opens {
     }
 }
 
-fn counts(rows: &[&Row]) -> Counts {
+fn counts(rows: &[&QueryRow]) -> Counts {
     let mut out = Counts::default();
     for row in rows {
         *match row.satisfied {
             Some(true) => &mut out.holds,
-            Some(false) if row.kind == Kind::Prefer => &mut out.unmet,
+            Some(false) if row.kind == RowKind::Prefer => &mut out.unmet,
             Some(false) => &mut out.fails,
             None => &mut out.unjudged,
         } += 1;

@@ -2,7 +2,7 @@
 
 use crate::Checked;
 use crate::check::Subject;
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use crate::rules::support;
 use crate::world::World;
 use scenelang_lang::program::{MountedOn, ObjectId, Program};
@@ -47,11 +47,10 @@ pub(super) fn on(checked: &Checked, program: &Program, world: &World<f64>, id: O
     let rest = support::rest(world, id, &support::others(world, id)).ok()?;
     let allow = &program.allow;
     // What is mounted is where it should be unless its rule fails.
-    let is_off = checked
-        .verdict
-        .rows
-        .iter()
-        .any(|row| row.kind == Kind::Support && row.subject == Subject::Object(id) && row.satisfied == Some(false));
+    let is_off =
+        checked.verdict.rows.iter().any(|row| {
+            row.kind == RowKind::Support && row.subject == Subject::Object(id) && row.satisfied == Some(false)
+        });
     if let Some(mount) = allow.mounts.iter().find(|mount| mount.object == id).filter(|_| !is_off) {
         let on = if mount.on == MountedOn::Wall { On::Wall } else { On::Ceiling };
         return Some(RestsOn { on, name: region(mount.region), gap: None });

@@ -2,9 +2,10 @@
 
 use super::exit_code;
 use super::model::{
-    self, Design, FORMAT, Finding, Move, Place, Related, Remedy, Replacement, Report, Row, Step, Tally, Whereabouts,
+    self, Design, FORMAT, Finding, FurtherMove, Move, Related, Remedy, Replacement, Report, Row, SourceSpan, Tally,
+    Whereabouts,
 };
-use crate::check::{Judged, Subject, Verdict};
+use crate::check::{CheckVerdict, Judged, Subject};
 use crate::explain::{self, Explanation, RowRef};
 use crate::tolerances::Options;
 use scenelang_base::{Applicability, Diagnostic, LineColumn, SourceMap, Span};
@@ -15,7 +16,7 @@ use std::path::Path;
 /// The report of a judgement of the file called `name`. `program` is the one whose rows these are.
 pub fn build(
     name: &str,
-    verdict: &Verdict,
+    verdict: &CheckVerdict,
     program: Option<&Program>,
     sources: &SourceMap,
     options: &Options,
@@ -41,7 +42,7 @@ pub fn build(
 }
 
 /// How much of what the guidelines ask holds. What cannot be judged does not.
-fn design(verdict: &Verdict) -> Option<Design> {
+fn design(verdict: &CheckVerdict) -> Option<Design> {
     let mut guidelines = Tally::default();
     let (mut all, mut held) = (0.0, 0.0);
     for row in verdict.rows.iter().filter(|row| row.guideline.is_some()) {
@@ -59,16 +60,16 @@ fn unit(unit: Unit) -> String {
 }
 
 /// A place as reports have it: lines and columns.
-pub fn place(sources: &SourceMap, span: Span) -> Place {
+pub fn place(sources: &SourceMap, span: Span) -> SourceSpan {
     let (start, end) = sources.lines(span);
     let pair = |at: LineColumn| [at.line, at.column];
-    Place { file: sources.get(span.file).name().to_owned(), start: pair(start), end: pair(end) }
+    SourceSpan { file: sources.get(span.file).name().to_owned(), start: pair(start), end: pair(end) }
 }
 
 /// The id of the statement at `span`, `room.scene:12:1`: its file seen from the folder of the file called `name`.
 pub fn statement_id(name: &str, sources: &SourceMap, span: Span) -> String {
     let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-    let Place { file, start, .. } = place(sources, span);
+    let SourceSpan { file, start, .. } = place(sources, span);
     let file = Path::new(&file).strip_prefix(folder).map_or(file.clone(), |p| p.display().to_string());
     format!("{file}:{}:{}", start[0], start[1])
 }
@@ -128,15 +129,15 @@ impl Builder<'_> {
         }
     }
 
-    fn whereabouts(&self, place: &explain::Place) -> Whereabouts {
-        let explain::Place { object, pos, rot, size, text } = place;
+    fn whereabouts(&self, place: &explain::ObjectPlace) -> Whereabouts {
+        let explain::ObjectPlace { object, pos, rot, size, text } = place;
         Whereabouts { name: self.object(*object).to_owned(), pos: *pos, rot: *rot, size: *size, text: text.clone() }
     }
 
     fn repair(&self, repair: &explain::SmallestMove) -> Option<Move> {
         let name = |id: ObjectId| self.object(id).to_owned();
         let (first, rest) = repair.steps.split_first()?;
-        let also = rest.iter().map(|s| Step { object: name(s.object), by: s.by, turn: s.turn });
+        let also = rest.iter().map(|s| FurtherMove { object: name(s.object), by: s.by, turn: s.turn });
         let ids = |rows: &[RowRef]| rows.iter().map(|row| self.id(*row)).collect();
         Some(Move {
             object: name(first.object),
@@ -171,7 +172,7 @@ impl Builder<'_> {
         self.program.and_then(|p| p.objects.get(id.0 as usize)).map_or("", |object| object.name.as_str())
     }
 
-    fn place(&self, span: Span) -> Place {
+    fn place(&self, span: Span) -> SourceSpan {
         place(self.sources, span)
     }
 

@@ -1,14 +1,14 @@
 //! The report for people in a hurry: a line for each finding, in the form that editors and terminals make clickable.
 
 use super::human::{Human, holding, judged_with, summary};
-use super::model::{Finding, Kind, Place, Report, Row};
+use super::model::{Finding, Report, Row, RowKind, SourceSpan};
 use scenelang_base::plain;
 use std::fmt::Write;
 
 /// `file:line:column: error[V0101]: what is wrong`, one line each; then one line that sums up.
 pub fn compact(report: &Report, Human { color, all }: Human) -> String {
     let mut out = String::new();
-    let mut add = |place: Option<&Place>, level: Level, code: &str, message: &str| {
+    let mut add = |place: Option<&SourceSpan>, level: Level, code: &str, message: &str| {
         let place = place.map_or_else(|| report.file.clone(), |p| format!("{}:{}:{}", p.file, p.start[0], p.start[1]));
         let text = format!("{}: {}: {}", plain::line(&place), level.painted(code, color), plain::line(message));
         let _infallible = writeln!(out, "{}", plain::no_command(&text));
@@ -45,9 +45,9 @@ pub(super) fn main_fact(row: &Row) -> String {
     let fails = if row.is_violation() { "fails" } else { "is not met" };
     match (row.kind, measured, row.objects.as_slice()) {
         (_, "", _) => format!("{} {fails}{margin}", row.text),
-        (Kind::Collision, ..) => format!("{measured}{margin}"),
+        (RowKind::Collision, ..) => format!("{measured}{margin}"),
         // Which object it is stands nowhere else in the line.
-        (Kind::Bounds | Kind::Support, _, [object]) | (Kind::Open, _, [object, ..]) => {
+        (RowKind::Bounds | RowKind::Support, _, [object]) | (RowKind::Open, _, [object, ..]) => {
             format!("`{object}`: {measured}{margin}")
         }
         _ => format!("{} {fails}: {measured}{margin}", row.text),

@@ -1,7 +1,7 @@
 //! The report as workflow commands of GitHub Actions: each becomes an annotation at its line of a pull request.
 
 use super::compact::main_fact;
-use super::model::{Place, Report};
+use super::model::{Report, SourceSpan};
 use scenelang_base::plain;
 use std::fmt::Write;
 
@@ -25,14 +25,14 @@ pub fn github(reports: &[Report]) -> String {
     out
 }
 
-fn annotate(out: &mut String, level: &str, code: &str, place: Option<&Place>, message: &str, report: &Report) {
+fn annotate(out: &mut String, level: &str, code: &str, place: Option<&SourceSpan>, message: &str, report: &Report) {
     let file = property(&place.map_or(report.file.as_str(), |p| p.file.as_str()).replace('\\', "/"));
     let place = place.map_or_else(String::new, region);
     let _infallible = writeln!(out, "::{level} file={file}{place},title={}::{}", property(code), data(message));
 }
 
 /// Columns may be given only within one line; theirs are inclusive, ours end before.
-fn region(Place { start, end, .. }: &Place) -> String {
+fn region(SourceSpan { start, end, .. }: &SourceSpan) -> String {
     let lines = format!(",line={},endLine={}", start[0], end[0]);
     if start[0] == end[0] {
         return format!("{lines},col={},endColumn={}", start[1], start[1].max(end[1].saturating_sub(1)));

@@ -1,7 +1,7 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
 use super::exit_code;
-use super::model::{Design, Kind, Summary, Tally};
+use super::model::{Design, RowKind, Summary, Tally};
 use super::words::Words;
 use crate::check::{Checked, Judged, measure_in_words};
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
@@ -118,7 +118,7 @@ pub fn diagnostics(diagnostics: &[Diagnostic], sources: &SourceMap, color: bool)
 }
 
 fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_>, color: bool, out: &mut String) {
-    let fails = if row.kind == Kind::Prefer { "not met" } else { "fails" };
+    let fails = if row.kind == RowKind::Prefer { "not met" } else { "fails" };
     let label = match row.margin {
         Some((margin, unit)) => {
             let metres = if unit == Unit::Metre { " m" } else { "" };
@@ -147,7 +147,7 @@ fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_
         (row.place, at)
     };
     let finding = Finding {
-        look: if row.kind == Kind::Prefer { Look::Advice } else { Look::Error },
+        look: if row.kind == RowKind::Prefer { Look::Advice } else { Look::Error },
         code: row.code.as_str(),
         message: headline,
         primary: Some(primary),

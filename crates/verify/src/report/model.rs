@@ -108,10 +108,10 @@ pub struct Summary {
 
 impl Summary {
     /// The count of a kind of statement.
-    pub fn stated(&mut self, kind: Kind) -> &mut Tally {
+    pub fn stated(&mut self, kind: RowKind) -> &mut Tally {
         match kind {
-            Kind::Prefer => &mut self.preferences,
-            Kind::Pin => &mut self.pins,
+            RowKind::Prefer => &mut self.preferences,
+            RowKind::Pin => &mut self.pins,
             _ => &mut self.assertions,
         }
     }
@@ -168,7 +168,7 @@ impl Tally {
 /// What kind of constraint a row is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum RowKind {
     /// `assert`.
     Assert,
     /// `prefer`.
@@ -185,7 +185,7 @@ pub enum Kind {
     Open,
 }
 
-impl Kind {
+impl RowKind {
     /// As written in the report.
     pub fn as_str(self) -> &'static str {
         match self {
@@ -228,7 +228,7 @@ pub struct Row {
     /// `room.scene:12:1` for a statement; for a physical rule `P-COLLIDE:a:b` (names sorted), `P-BOUNDS:a`, `P-OPEN:a/door`.
     pub id: String,
     /// What kind.
-    pub kind: Kind,
+    pub kind: RowKind,
     /// `P-COLLIDE`, `P-BOUNDS`, `P-SUPPORT`, `P-OPEN`; `None` for a stated constraint.
     pub rule: Option<String>,
     /// `V01…` where it fails, else `None`.
@@ -246,7 +246,7 @@ pub struct Row {
     /// What was measured.
     pub message: String,
     /// The statement; for a physical rule the declaration of its first object.
-    pub span: Option<Place>,
+    pub span: Option<SourceSpan>,
     /// Weight of a preference.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub weight: Option<f64>,
@@ -333,7 +333,7 @@ pub struct Move {
     pub turn: f64,
     /// What else is moved: what goes along because it rests on the object, or must be moved as well.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub also: Vec<Step>,
+    pub also: Vec<FurtherMove>,
     /// Ids of rows that hold now and fail after it.
     pub breaks: Vec<String>,
     /// Ids of other rows that fail now and hold after it. Version 0.1 called them `mends`.
@@ -345,7 +345,7 @@ pub struct Move {
 
 /// A further object that is moved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Step {
+pub struct FurtherMove {
     /// Its name.
     pub object: String,
     /// Along x, y, z (metres).
@@ -357,13 +357,13 @@ pub struct Step {
 impl Row {
     /// Whether it is a hard constraint that fails.
     pub fn is_violation(&self) -> bool {
-        self.satisfied == Some(false) && self.kind != Kind::Prefer
+        self.satisfied == Some(false) && self.kind != RowKind::Prefer
     }
 }
 
 /// A place: file, and start and end as 1-based `[line, column]` (columns count code points, the end is exclusive).
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Place {
+pub struct SourceSpan {
     /// Name of the file.
     pub file: String,
     /// First line and column.
@@ -382,7 +382,7 @@ pub struct Finding {
     /// One sentence.
     pub message: String,
     /// Where; `None` where there is no text (a missing file).
-    pub span: Option<Place>,
+    pub span: Option<SourceSpan>,
     /// Other places that belong to it.
     pub related: Vec<Related>,
     /// What it means, or what to do next.
@@ -410,7 +410,7 @@ pub struct Related {
     /// What is there.
     pub message: String,
     /// Where.
-    pub span: Place,
+    pub span: SourceSpan,
 }
 
 /// A fix: a set of replacements.
@@ -428,7 +428,7 @@ pub struct Remedy {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Replacement {
     /// What is replaced; empty: insert.
-    pub span: Place,
+    pub span: SourceSpan,
     /// By what.
     pub text: String,
 }

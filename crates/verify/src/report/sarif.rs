@@ -1,7 +1,7 @@
 //! The report for code scanning: SARIF 2.1.0, a result per violation and per diagnostic.
 
 use super::build;
-use super::model::{Finding, Place, Related, Remedy, Report, Row};
+use super::model::{Finding, Related, Remedy, Report, Row, SourceSpan};
 use crate::check::{Checked, Judged};
 use scenelang_base::{Code, Severity, SourceMap, codes};
 use serde_json::{Value, json};
@@ -88,7 +88,7 @@ fn finding(found: &Finding, report: &Report) -> Value {
     result
 }
 
-fn result(code: &str, level: &str, text: &str, place: Option<&Place>, report: &Report) -> Value {
+fn result(code: &str, level: &str, text: &str, place: Option<&SourceSpan>, report: &Report) -> Value {
     let location = place
         .map_or_else(|| json!({ "physicalLocation": { "artifactLocation": { "uri": uri(&report.file) } } }), location);
     json!({ "ruleId": code, "level": level, "message": { "text": text }, "locations": [location] })
@@ -127,13 +127,13 @@ fn fix(remedy: &Remedy) -> Value {
     })
 }
 
-fn location(place: &Place) -> Value {
+fn location(place: &SourceSpan) -> Value {
     json!({
         "physicalLocation": { "artifactLocation": { "uri": uri(&place.file) }, "region": region(place) },
     })
 }
 
-fn region(place: &Place) -> Value {
+fn region(place: &SourceSpan) -> Value {
     json!({
         "startLine": place.start[0],
         "startColumn": place.start[1],

@@ -2,7 +2,7 @@
 
 use crate::check::{Checked, Judged, Subject};
 use crate::explain::{RowRef, SmallestMove, move_in_words, row_in_words};
-use crate::report::model::Kind;
+use crate::report::model::RowKind;
 use scenelang_base::codes;
 use scenelang_lang::program::{ObjectId, Program};
 
@@ -15,7 +15,7 @@ pub(super) struct Words<'a> {
 
 impl<'a> Words<'a> {
     pub fn new(checked: &'a Checked) -> Self {
-        let stated = checked.verdict.rows.iter().filter(|row| row.code == codes::V0102 && row.kind == Kind::Assert);
+        let stated = checked.verdict.rows.iter().filter(|row| row.code == codes::V0102 && row.kind == RowKind::Assert);
         let said = stated.filter(|row| row.satisfied == Some(false)).filter_map(|row| match row.objects[..] {
             [a, b] => Some([a, b]),
             _ => None,
@@ -31,10 +31,10 @@ impl<'a> Words<'a> {
 
     /// Whether a row is an assertion that says what P-COLLIDE says as well.
     pub fn says_rule(&self, row: &Judged) -> bool {
-        let pairs = self.checked.verdict.rows.iter().filter(|other| other.kind == Kind::Collision);
+        let pairs = self.checked.verdict.rows.iter().filter(|other| other.kind == RowKind::Collision);
         let fails = |other: &Judged| other.satisfied == Some(false) && self.is_said(other);
         let same = |other: &Judged| other.objects.iter().all(|id| row.objects.contains(id));
-        row.kind == Kind::Assert && row.code == codes::V0102 && pairs.into_iter().any(|o| fails(o) && same(o))
+        row.kind == RowKind::Assert && row.code == codes::V0102 && pairs.into_iter().any(|o| fails(o) && same(o))
     }
 
     /// Adds what the explanation of a row has to say.
@@ -69,8 +69,8 @@ impl<'a> Words<'a> {
     /// What a move does to the rest.
     fn effect(&self, repair: &SmallestMove, row: &Judged, name: &dyn Fn(&RowRef) -> String) -> String {
         let rows = self.checked.verdict.rows.iter();
-        let held = rows.filter(|other| other.kind == Kind::Assert && other.satisfied == Some(true)).count();
-        let broken = repair.breaks.iter().filter(|other| other.kind == Kind::Assert).count();
+        let held = rows.filter(|other| other.kind == RowKind::Assert && other.satisfied == Some(true)).count();
+        let broken = repair.breaks.iter().filter(|other| other.kind == RowKind::Assert).count();
         let list = |rows: &[RowRef]| {
             const MOST: usize = 3;
             let mut names: Vec<String> = rows.iter().take(MOST).map(name).collect();
@@ -85,7 +85,7 @@ impl<'a> Words<'a> {
         };
         let mut parts = Vec::new();
         if held > 0 {
-            let what = if row.kind == Kind::Assert { "other assertions" } else { "assertions" };
+            let what = if row.kind == RowKind::Assert { "other assertions" } else { "assertions" };
             parts.push(format!("{} of {held} {what} still hold", held - broken));
         }
         if held == 0 && repair.breaks.is_empty() {

@@ -18,7 +18,7 @@ const MODELS: f64 = 100_000.0;
 
 /// A kind of provider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum ProviderKind {
     /// Folders of models.
     Local,
     /// A program or a service that makes models.
@@ -27,7 +27,7 @@ pub enum Source {
     Library,
 }
 
-impl Source {
+impl ProviderKind {
     /// As in settings, in the usual order.
     pub const NAMES: [(&str, Self); 3] =
         [("local", Self::Local), ("generator", Self::Generator), ("library", Self::Library)];
@@ -37,7 +37,7 @@ impl Source {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Assets {
     /// Who is asked, in this order; a labelled box comes last in any case.
-    pub order: Option<Vec<Source>>,
+    pub order: Option<Vec<ProviderKind>>,
     /// Folders of models: below that of the settings, or anywhere in the user's own file.
     pub folders: Vec<String>,
     /// Models of a folder that score less are not used.
@@ -101,13 +101,13 @@ impl Reader {
         let names = self.texts("order", item, "a list of \"local\", \"generator\" and \"library\"");
         let mut order = Vec::new();
         for name in &names {
-            match Source::NAMES.iter().find(|(known, _)| known == name) {
+            match ProviderKind::NAMES.iter().find(|(known, _)| known == name) {
                 Some((_, source)) if order.contains(source) => {
                     return self.error(item.span(), format!("`order` names \"{name}\" twice"));
                 }
                 Some((_, source)) => order.push(*source),
                 None => {
-                    let known = Source::NAMES.map(|(name, _)| name);
+                    let known = ProviderKind::NAMES.map(|(name, _)| name);
                     return self.error(item.span(), unknown("provider", name, &known));
                 }
             }
@@ -145,7 +145,7 @@ mod tests {
         let read = |text: &str| read(text, FileId(0)).map(|s| s.assets).map_err(|found| found[0].message.clone());
         let text = "[assets]\norder = [\"library\", \"local\"]\nfolders = [\"models\"]\nleast = 0.5\nmax_models = 3\ncache = false";
         let wanted = Assets {
-            order: Some(vec![Source::Library, Source::Local]),
+            order: Some(vec![ProviderKind::Library, ProviderKind::Local]),
             folders: vec!["models".to_owned()],
             least: Some(0.5),
             max_models: Some(3),

@@ -10,13 +10,13 @@ mod service;
 
 pub use command::Command;
 #[cfg(feature = "services")]
-pub use service::{Kind, Service};
+pub use service::{Service, ServiceKind};
 
 use super::fit::fit;
 use super::{AssetProvider, Given, Query, Remark, Reply, Why, sum};
 use crate::card::Card;
 use crate::faults::beyond;
-use crate::model::{Axes, Model};
+use crate::model::{Axes, CatalogueModel};
 use crate::{glb, limits};
 use scenelang_base::Diagnostic;
 use scenelang_base::door::Door;
@@ -204,7 +204,7 @@ impl Generator {
         let broken = |finding: Box<Diagnostic>| Remark::broken(&named(&prompt), &finding);
         let raw = glb::read(bytes).map_err(broken)?;
         let card = Card { front: Some(0.0), ..Card::of_name(&query.what) };
-        let model = Model::new(&named(&prompt), card, raw, Axes::RightHanded, Vec::new()).map_err(broken)?;
+        let model = CatalogueModel::new(&named(&prompt), card, raw, Axes::RightHanded, Vec::new()).map_err(broken)?;
         Ok(Given {
             piece: fit(&model, query, false)?,
             source: prompt,
@@ -268,7 +268,7 @@ fn judged(bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
         return Err(beyond(format!("it is larger than {} MB", limits::BYTES >> 20)));
     }
     let raw = glb::read(bytes)?;
-    Model::new("", Card::default(), raw, Axes::RightHanded, Vec::new()).map(drop)
+    CatalogueModel::new("", Card::default(), raw, Axes::RightHanded, Vec::new()).map(drop)
 }
 
 /// What a model that was made is called in remarks.

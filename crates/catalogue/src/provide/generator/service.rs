@@ -17,7 +17,7 @@ const PROMPT: usize = 500;
 
 /// How a service is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ServiceKind {
     /// Meshy, version 2 of text to 3D: the preview.
     Meshy,
     /// Tripo, version 2: `text_to_model`.
@@ -26,7 +26,7 @@ pub enum Kind {
     Hunyuan,
 }
 
-impl Kind {
+impl ServiceKind {
     /// The names, each with the address that it has where no other is given, and the variable that holds its key.
     pub const ALL: [(&'static str, Self, &'static str, &'static str); 3] = [
         ("meshy", Self::Meshy, "https://api.meshy.ai", "MESHY_API_KEY"),
@@ -42,7 +42,7 @@ impl Kind {
 /// A service at an address.
 #[derive(Debug)]
 pub struct Service {
-    kind: Kind,
+    kind: ServiceKind,
     base: String,
     web: Web,
 }
@@ -52,7 +52,7 @@ impl Service {
     ///
     /// # Errors
     /// It needs a key and there is none, or the address is none.
-    pub fn new(kind: Kind, base: Option<&str>, timeout: Duration, stop: fn() -> bool) -> Result<Self, String> {
+    pub fn new(kind: ServiceKind, base: Option<&str>, timeout: Duration, stop: fn() -> bool) -> Result<Self, String> {
         let (_, _, usual, variable) = kind.row();
         let key = std::env::var(variable).unwrap_or_default();
         Self::on(kind, base.unwrap_or(usual), &key, timeout, stop)
@@ -62,7 +62,7 @@ impl Service {
     ///
     /// # Errors
     /// As for [`Self::new`].
-    pub fn on(kind: Kind, base: &str, key: &str, timeout: Duration, stop: fn() -> bool) -> Result<Self, String> {
+    pub fn on(kind: ServiceKind, base: &str, key: &str, timeout: Duration, stop: fn() -> bool) -> Result<Self, String> {
         let (name, _, _, variable) = kind.row();
         let key = Key::new(key).filter(|_| !variable.is_empty());
         if !variable.is_empty() && key.is_none() {
@@ -107,18 +107,18 @@ impl Maker for Service {
     fn make(&self, order: &Order, watch: &Watch) -> Result<Vec<u8>, String> {
         let prompt = plain(&order.prompt, PROMPT);
         match self.kind {
-            Kind::Hunyuan => {
+            ServiceKind::Hunyuan => {
                 let body = json!({ "text": prompt, "texture": false, "type": "glb", "seed": 1234 });
                 self.web.post("/generate", body).map_err(told)
             }
-            Kind::Meshy => {
+            ServiceKind::Meshy => {
                 let path = "/openapi/v2/text-to-3d";
                 let body = json!({ "mode": "preview", "prompt": prompt, "should_remesh": true });
                 let said = json_of(&self.web.post(path, body).map_err(told)?)?;
                 let url = self.task(&format!("{path}/{}", id(&said["result"])?), watch, meshy)?;
                 self.web.fetch(&url).map_err(told)
             }
-            Kind::Tripo => {
+            ServiceKind::Tripo => {
                 let path = "/v2/openapi/task";
                 let said =
                     json_of(&self.web.post(path, json!({ "type": "text_to_model", "prompt": prompt })).map_err(told)?)?;

@@ -6,7 +6,7 @@ use scenelang_verify::{Surroundings, World, surroundings};
 
 /// What a term asks for: a way of a width between two things, or from one of them to any of several.
 #[derive(Clone, Debug)]
-pub(in crate::trial) struct Asked {
+pub(in crate::trial) struct PathRequest {
     pub term: usize,
     ends: [usize; 2],
     goals: Vec<usize>,
@@ -15,7 +15,7 @@ pub(in crate::trial) struct Asked {
     preference: Option<usize>,
 }
 
-impl Asked {
+impl PathRequest {
     /// What a formula says, if it asks for a path of constant width, or for one of several that share an end.
     pub fn of(term: usize, formula: &Formula, preference: Option<usize>) -> Option<Self> {
         let one = |node: NodeId| {

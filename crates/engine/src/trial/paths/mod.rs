@@ -11,7 +11,7 @@ mod plans;
 
 use super::{Inputs, Moved, Span, Trial};
 use crate::penalty;
-pub(super) use asked::Asked;
+pub(super) use asked::PathRequest;
 pub(super) use corridors::Floor;
 use corridors::NEAR;
 use group::Branch;

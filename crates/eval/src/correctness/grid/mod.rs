@@ -9,11 +9,11 @@ mod rest;
 mod search;
 mod words;
 
+use crate::dataset::DatasetScene;
 use crate::dataset::Dice;
-use crate::dataset::Scene;
 use scenelang_lang::Program;
 use scenelang_layout::{Layout, RegionPlacement, Vec3};
-use search::{Area, Piece, search};
+use search::{Area, GridObject, search};
 use std::collections::BTreeMap;
 use words::{Constraint, constraints};
 
@@ -34,19 +34,19 @@ pub struct Placed {
 }
 
 /// Lays out a scene of the dataset.
-pub fn place(scene: &Scene, program: &Program, seed: u64) -> Placed {
+pub fn place(scene: &DatasetScene, program: &Program, seed: u64) -> Placed {
     let start = super::problem(program, seed).start;
     let mut spots: BTreeMap<String, ([f64; 3], usize)> = BTreeMap::new();
     let (mut work, mut is_cut) = (0, false);
     for (r, room) in scene.rooms.iter().enumerate() {
         let size = [room.size[0], room.size[2]];
         let (names, all) = constraints(scene, &room.name);
-        let pieces: Vec<Piece> = names
+        let pieces: Vec<GridObject> = names
             .iter()
             .zip(&all)
             .filter_map(|(name, own)| {
                 let size = start.object(name)?.scale;
-                Some(Piece { size: [size.x, size.z], constraints: own.clone() })
+                Some(GridObject { size: [size.x, size.z], constraints: own.clone() })
             })
             .collect();
         // A room of which some objects have no size is none that the program has.
@@ -81,7 +81,7 @@ pub fn place(scene: &Scene, program: &Program, seed: u64) -> Placed {
 }
 
 /// The place of a room.
-pub(crate) fn region(room: &crate::dataset::Room) -> RegionPlacement {
+pub(crate) fn region(room: &crate::dataset::RoomRecord) -> RegionPlacement {
     RegionPlacement {
         pos: Vec3::new(room.x, 0.0, 0.0),
         rot: Vec3::zeros(),
@@ -91,7 +91,7 @@ pub(crate) fn region(room: &crate::dataset::Room) -> RegionPlacement {
 }
 
 /// The floor before the doors of a room, which is kept free: centre and extents.
-fn doors(scene: &Scene, room: usize) -> Vec<([f64; 2], [f64; 2])> {
+fn doors(scene: &DatasetScene, room: usize) -> Vec<([f64; 2], [f64; 2])> {
     let [w, _, d] = scene.rooms[room].size;
     let name = &scene.rooms[room].name;
     let mine = scene.connections.iter().filter(|c| c.kind == "door" && c.between.contains(name));

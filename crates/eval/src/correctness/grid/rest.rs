@@ -2,7 +2,7 @@
 //! middle of their walls.
 
 use super::words::instance;
-use crate::dataset::{Object, Scene};
+use crate::dataset::{DatasetScene, Object};
 use scenelang_layout::{Layout, Placement};
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ const EYES: f64 = 1.5;
 const TOUCH: f64 = 0.005;
 
 /// Adds what is not there yet. What would be on something that was left out is left out.
-pub(super) fn place(scene: &Scene, start: &Layout, spots: &mut Spots) {
+pub(super) fn place(scene: &DatasetScene, start: &Layout, spots: &mut Spots) {
     links(scene, start, spots);
     let relation = |object: &Object| scene.relations.iter().find(|r| r.subject == object.name);
     let mut on: BTreeMap<String, f64> = BTreeMap::new();
@@ -52,7 +52,7 @@ pub(super) fn place(scene: &Scene, start: &Layout, spots: &mut Spots) {
 
 /// On a thing, beside what is on it already, or above it.
 fn beside(
-    scene: &Scene,
+    scene: &DatasetScene,
     start: &Layout,
     spots: &Spots,
     on: &mut BTreeMap<String, f64>,
@@ -77,7 +77,7 @@ fn beside(
 }
 
 /// At a share of the way along all four walls.
-fn along_walls(scene: &Scene, room: usize, own: &Placement, share: f64) -> ([f64; 3], usize) {
+fn along_walls(scene: &DatasetScene, room: usize, own: &Placement, share: f64) -> ([f64; 3], usize) {
     let [w, h, d] = scene.rooms[room].size;
     let x0 = scene.rooms[room].x;
     let (deep, high) = (own.scale.z / 2.0 + TOUCH, (EYES - own.scale.y / 2.0).min(h - own.scale.y).max(0.0));
@@ -99,7 +99,7 @@ fn along_walls(scene: &Scene, room: usize, own: &Placement, share: f64) -> ([f64
 }
 
 /// Doors and windows.
-fn links(scene: &Scene, start: &Layout, spots: &mut Spots) {
+fn links(scene: &DatasetScene, start: &Layout, spots: &mut Spots) {
     let thickness = 0.015;
     for link in &scene.connections {
         let Some(room) = scene.rooms.iter().find(|room| room.name == link.between[0]) else { continue };

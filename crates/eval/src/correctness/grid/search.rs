@@ -27,13 +27,13 @@ pub(crate) struct Area {
 }
 
 /// An object: width and depth, and what is asked of it.
-pub(crate) struct Piece {
+pub(crate) struct GridObject {
     pub size: [f64; 2],
     pub constraints: Vec<Constraint>,
 }
 
 /// The best attempt.
-pub(crate) struct Found {
+pub(crate) struct BestAttempt {
     pub spots: Vec<Option<Spot>>,
     pub work: u64,
     pub is_cut: bool,
@@ -61,7 +61,7 @@ fn overlap(a: ([f64; 2], [f64; 2]), b: ([f64; 2], [f64; 2])) -> bool {
 }
 
 /// Looks for places of all pieces, in their order.
-pub(crate) fn search(area: &Area, pieces: &[Piece], dice: &mut Dice) -> Found {
+pub(crate) fn search(area: &Area, pieces: &[GridObject], dice: &mut Dice) -> BestAttempt {
     let mut attempt = Attempt { area, pieces, work: 0, placed: Vec::new(), score: 0.0 };
     let mut best: (f64, Vec<Spot>) = (f64::NEG_INFINITY, Vec::new());
     let mut first = pieces.first().map_or_else(Vec::new, |piece| attempt.placements(piece, dice));
@@ -87,12 +87,12 @@ pub(crate) fn search(area: &Area, pieces: &[Piece], dice: &mut Dice) -> Found {
     }
     let mut spots: Vec<Option<Spot>> = best.1.into_iter().map(Some).collect();
     spots.resize(pieces.len(), None);
-    Found { spots, work: attempt.work, is_cut: attempt.work >= WORK }
+    BestAttempt { spots, work: attempt.work, is_cut: attempt.work >= WORK }
 }
 
 struct Attempt<'a> {
     area: &'a Area,
-    pieces: &'a [Piece],
+    pieces: &'a [GridObject],
     work: u64,
     placed: Vec<Spot>,
     score: f64,
@@ -100,7 +100,7 @@ struct Attempt<'a> {
 
 impl Attempt<'_> {
     /// Where the next piece may stand, in random order, with what each place is worth.
-    fn placements(&mut self, piece: &Piece, dice: &mut Dice) -> Vec<(f64, Spot)> {
+    fn placements(&mut self, piece: &GridObject, dice: &mut Dice) -> Vec<(f64, Spot)> {
         let cell = self.area.size[0].max(self.area.size[1]) / CELLS;
         let is_edge = piece.constraints.contains(&Constraint::Edge);
         let mut free: Vec<Spot> = Vec::new();
@@ -155,7 +155,7 @@ impl Attempt<'_> {
     }
 
     /// The least and the greatest distance that the places have, of a constraint on distances.
-    fn range(&self, constraint: Constraint, piece: &Piece, free: &[Spot]) -> (f64, f64) {
+    fn range(&self, constraint: Constraint, piece: &GridObject, free: &[Spot]) -> (f64, f64) {
         let (Constraint::Near(target) | Constraint::Far(target)) = constraint else { return (0.0, 0.0) };
         let Some((spot, size)) = self.target(target) else { return (0.0, 0.0) };
         let gaps = free.iter().map(|(at, turns)| gap((*at, half(piece.size, *turns)), (spot.0, size)));
@@ -163,7 +163,7 @@ impl Attempt<'_> {
     }
 
     /// What a place is worth for a constraint, before its weight.
-    fn worth(&self, c: Constraint, piece: &Piece, (at, turns): Spot, (least, most): (f64, f64), cell: f64) -> f64 {
+    fn worth(&self, c: Constraint, piece: &GridObject, (at, turns): Spot, (least, most): (f64, f64), cell: f64) -> f64 {
         let bonus = |is: bool| if is { BONUS } else { 0.0 };
         let target = match c {
             Constraint::Edge | Constraint::Middle => return bonus(c == Constraint::Edge),
@@ -200,14 +200,14 @@ impl Attempt<'_> {
 mod tests {
     use super::*;
 
-    fn found(pieces: &[Piece]) -> Vec<Option<Spot>> {
+    fn found(pieces: &[GridObject]) -> Vec<Option<Spot>> {
         let area = Area { size: [4.0, 3.0], taken: vec![([0.0, -1.0], [1.0, 1.0])] };
         search(&area, pieces, &mut Dice::new(1, 0)).spots
     }
 
     #[test]
     fn what_is_asked_for_is_found_where_there_is_room() {
-        let piece = |size, constraints: &[Constraint]| Piece { size, constraints: constraints.to_vec() };
+        let piece = |size, constraints: &[Constraint]| GridObject { size, constraints: constraints.to_vec() };
         let spots = found(&[
             piece([1.6, 0.8], &[Constraint::Edge]),
             piece([0.5, 0.5], &[Constraint::Middle, Constraint::Near(0), Constraint::FaceTo(0)]),
@@ -226,7 +226,7 @@ mod tests {
 
     #[test]
     fn what_has_no_place_ends_the_attempt() {
-        let piece = |size| Piece { size, constraints: vec![Constraint::Middle] };
+        let piece = |size| GridObject { size, constraints: vec![Constraint::Middle] };
         let spots = found(&[piece([1.0, 0.5]), piece([3.9, 2.9]), piece([0.2, 0.2])]);
         assert!(spots[0].is_some() && spots[1].is_none() && spots[2].is_none(), "{spots:?}");
     }

@@ -1,7 +1,7 @@
 //! What the floor solver has words for: each object is at the edge or in the middle, and beside that in relations to objects
 //! that are placed before it.
 
-use crate::dataset::{Object, Relation, Scene};
+use crate::dataset::{DatasetScene, Object, Relation};
 
 /// What is asked of an object; targets are indices of objects before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ impl Constraint {
 }
 
 /// The objects on the floor of a room by their names, in the order in which they are placed, with what is asked of each.
-pub(crate) fn constraints(scene: &Scene, room: &str) -> (Vec<String>, Vec<Vec<Constraint>>) {
+pub(crate) fn constraints(scene: &DatasetScene, room: &str) -> (Vec<String>, Vec<Vec<Constraint>>) {
     let (mut names, mut all): (Vec<String>, Vec<Vec<Constraint>>) = (Vec::new(), Vec::new());
     let mut first: Vec<(&str, usize, u32)> = Vec::new();
     for object in scene.objects.iter().filter(|object| object.room == room) {

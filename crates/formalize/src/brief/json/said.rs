@@ -1,7 +1,7 @@
 //! Facts of a brief as JSON.
 
 use super::{Scope, WireSource};
-use crate::brief::{Dim, Fact, Op, Pattern, Place, Quantifier, Rel, Side, What};
+use crate::brief::{Dim, Fact, FactKind, Op, Pattern, Place, Quantifier, Rel, Side};
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
@@ -49,20 +49,22 @@ impl WireFact {
     pub(super) fn of(fact: &Fact, things: &[String], request: &str) -> Self {
         let named = |list: &[usize]| list.iter().map(|i| things[*i].clone()).collect::<Vec<_>>();
         let says = match &fact.what {
-            What::Rel(relation, to) => WireWhat::Relation { relation: *relation, to: named(to) },
-            What::Place(relation, place, which) => {
+            FactKind::Rel(relation, to) => WireWhat::Relation { relation: *relation, to: named(to) },
+            FactKind::Place(relation, place, which) => {
                 WireWhat::Place { relation: *relation, place: *place, which: which.clone() }
             }
-            What::Gap(bound, metres, to) => WireWhat::Gap { bound: *bound, metres: *metres, to: named(to) },
-            What::Among(bound, metres) => WireWhat::Apart { bound: *bound, metres: *metres },
-            What::Rows(bound, metres) => WireWhat::Rows { bound: *bound, metres: *metres },
-            What::Wall(bound, metres) => WireWhat::Wall { bound: *bound, metres: *metres },
-            What::Alone(metres) => WireWhat::Alone { metres: *metres },
-            What::Clear(side, metres) => WireWhat::Clear { side: *side, metres: *metres },
-            What::Size(measure, bound, metres) => WireWhat::Size { measure: *measure, bound: *bound, metres: *metres },
-            What::Height(bound, metres) => WireWhat::Height { bound: *bound, metres: *metres },
-            What::Path(metres, to) => WireWhat::Path { metres: *metres, to: named(to) },
-            What::Pattern(pattern) => WireWhat::Pattern(*pattern),
+            FactKind::Gap(bound, metres, to) => WireWhat::Gap { bound: *bound, metres: *metres, to: named(to) },
+            FactKind::Among(bound, metres) => WireWhat::Apart { bound: *bound, metres: *metres },
+            FactKind::Rows(bound, metres) => WireWhat::Rows { bound: *bound, metres: *metres },
+            FactKind::Wall(bound, metres) => WireWhat::Wall { bound: *bound, metres: *metres },
+            FactKind::Alone(metres) => WireWhat::Alone { metres: *metres },
+            FactKind::Clear(side, metres) => WireWhat::Clear { side: *side, metres: *metres },
+            FactKind::Size(measure, bound, metres) => {
+                WireWhat::Size { measure: *measure, bound: *bound, metres: *metres }
+            }
+            FactKind::Height(bound, metres) => WireWhat::Height { bound: *bound, metres: *metres },
+            FactKind::Path(metres, to) => WireWhat::Path { metres: *metres, to: named(to) },
+            FactKind::Pattern(pattern) => WireWhat::Pattern(*pattern),
         };
         Self {
             of: named(&fact.of),
@@ -88,18 +90,18 @@ impl WireFact {
             if finite { Ok(v) } else { Err(format!("{path}.says: {v} m is not a valid length")) }
         };
         let what = match self.says {
-            WireWhat::Relation { relation, to } => What::Rel(relation, things("says.relation.to", to)?),
-            WireWhat::Place { relation, place, which } => What::Place(relation, place, which),
-            WireWhat::Gap { bound, metres, to } => What::Gap(bound, length(metres)?, things("says.gap.to", to)?),
-            WireWhat::Apart { bound, metres } => What::Among(bound, length(metres)?),
-            WireWhat::Rows { bound, metres } => What::Rows(bound, length(metres)?),
-            WireWhat::Wall { bound, metres } => What::Wall(bound, length(metres)?),
-            WireWhat::Alone { metres } => What::Alone(length(metres)?),
-            WireWhat::Clear { side, metres } => What::Clear(side, length(metres)?),
-            WireWhat::Size { measure, bound, metres } => What::Size(measure, bound, length(metres)?),
-            WireWhat::Height { bound, metres } => What::Height(bound, length(metres)?),
-            WireWhat::Path { metres, to } => What::Path(length(metres)?, things("says.path.to", to)?),
-            WireWhat::Pattern(pattern) => What::Pattern(pattern),
+            WireWhat::Relation { relation, to } => FactKind::Rel(relation, things("says.relation.to", to)?),
+            WireWhat::Place { relation, place, which } => FactKind::Place(relation, place, which),
+            WireWhat::Gap { bound, metres, to } => FactKind::Gap(bound, length(metres)?, things("says.gap.to", to)?),
+            WireWhat::Apart { bound, metres } => FactKind::Among(bound, length(metres)?),
+            WireWhat::Rows { bound, metres } => FactKind::Rows(bound, length(metres)?),
+            WireWhat::Wall { bound, metres } => FactKind::Wall(bound, length(metres)?),
+            WireWhat::Alone { metres } => FactKind::Alone(length(metres)?),
+            WireWhat::Clear { side, metres } => FactKind::Clear(side, length(metres)?),
+            WireWhat::Size { measure, bound, metres } => FactKind::Size(measure, bound, length(metres)?),
+            WireWhat::Height { bound, metres } => FactKind::Height(bound, length(metres)?),
+            WireWhat::Path { metres, to } => FactKind::Path(length(metres)?, things("says.path.to", to)?),
+            WireWhat::Pattern(pattern) => FactKind::Pattern(pattern),
         };
         Ok(Fact {
             of: things("of", self.of)?,

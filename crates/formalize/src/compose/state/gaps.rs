@@ -1,7 +1,7 @@
 //! Distances that are measured, and room that is kept free.
 
 use super::{Named, Side};
-use crate::brief::{Group, Op, Quantifier, Rel, What};
+use crate::brief::{FactKind, Group, Op, Quantifier, Rel};
 use crate::write::number;
 
 impl Named<'_> {
@@ -52,7 +52,7 @@ impl Named<'_> {
     fn kin(&self, a: usize, b: usize) -> bool {
         let flat = matches!(self.group(b), Group::Flat | Group::Ceiling | Group::Wall | Group::Door | Group::Window);
         flat || self.brief.facts.iter().any(|f| match &f.what {
-            What::Rel(rel, to) => {
+            FactKind::Rel(rel, to) => {
                 !f.not
                     && *rel != Rel::Far
                     && (f.of.contains(&a) && to.contains(&b) || f.of.contains(&b) && to.contains(&a))

@@ -1,7 +1,7 @@
 //! Where in its room a thing stands: at which wall, in which corner, on which side.
 
 use super::{Named, Side};
-use crate::brief::{Group, Place, Rel, What};
+use crate::brief::{FactKind, Group, Place, Rel};
 use crate::write::number;
 
 impl Named<'_> {
@@ -22,7 +22,7 @@ impl Named<'_> {
         // What things stand behind cannot have its back at a wall; what hangs there leaves it free.
         let hangs = |of: &usize| matches!(self.group(*of), Group::Wall | Group::Screen | Group::Drape | Group::Window);
         let behind = self.brief.facts.iter().any(|f| {
-            let is = matches!(&f.what, What::Rel(Rel::Behind, to) if to.contains(&a));
+            let is = matches!(&f.what, FactKind::Rel(Rel::Behind, to) if to.contains(&a));
             is && !f.not && !f.of.iter().all(hangs)
         });
         let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
@@ -136,7 +136,7 @@ impl Named<'_> {
         let free = 4_usize.saturating_sub(self.corners_before(k, a));
         let taken = self.elements(a);
         let aside = self.brief.facts.iter().find_map(|f| match f.what {
-            What::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
+            FactKind::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
             _ => None,
         });
         if let Some(v) = aside {
@@ -176,7 +176,7 @@ impl Named<'_> {
 
     /// Whether it is said to be on or in something.
     fn carried_at_all(&self, a: usize) -> bool {
-        self.said(a, |w| matches!(w, What::Rel(Rel::On | Rel::In, _)))
+        self.said(a, |w| matches!(w, FactKind::Rel(Rel::On | Rel::In, _)))
     }
 
     /// Whether something else that stands on the floor is said to be in the middle of the same room.
@@ -186,7 +186,7 @@ impl Named<'_> {
             item.room == self.brief.things[a].room && !matches!(item.group, Group::Flat | Group::Ceiling)
         };
         let other = |o: &usize| *o != a && stands(*o);
-        let middle = |w: &What| matches!(w, What::Place(rel, Place::Middle, _) if *rel != Rel::Near);
+        let middle = |w: &FactKind| matches!(w, FactKind::Place(rel, Place::Middle, _) if *rel != Rel::Near);
         stands(a) && self.brief.facts.iter().any(|f| !f.not && middle(&f.what) && f.of.iter().any(other))
     }
 
@@ -195,7 +195,7 @@ impl Named<'_> {
         let same = |o: &usize| self.brief.things[*o].room == self.brief.things[a].room && *o != a;
         let before = self.brief.facts[..k]
             .iter()
-            .filter(|f| !f.not && !f.soft && matches!(f.what, What::Place(_, Place::Corner, _)));
+            .filter(|f| !f.not && !f.soft && matches!(f.what, FactKind::Place(_, Place::Corner, _)));
         before.flat_map(|f| f.of.iter().filter(|o| same(o))).map(|o| self.counts[*o]).sum()
     }
 
@@ -228,7 +228,8 @@ impl Named<'_> {
                 (_, "opposite" | "other" | "same" | "opposing") => {
                     let here = |b: usize| b != a && self.brief.things[b].room == self.brief.things[a].room;
                     let other = self.brief.facts[..k].iter().rev().find_map(|f| {
-                        let at_wall = !f.not && matches!(f.what, What::Place(_, Place::Wall, _)) && !f.of.contains(&a);
+                        let at_wall =
+                            !f.not && matches!(f.what, FactKind::Place(_, Place::Wall, _)) && !f.of.contains(&a);
                         f.of.first().copied().filter(|b| at_wall && here(*b))
                     });
                     // Opposite to what was spoken of before, if nothing was said of a wall.

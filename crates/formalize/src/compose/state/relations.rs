@@ -2,7 +2,7 @@
 
 use super::said::Said;
 use super::{LISTED, Named, indexed};
-use crate::brief::{Fact, Group, Pattern, Place, Quantifier, Rel, What};
+use crate::brief::{Fact, FactKind, Group, Pattern, Place, Quantifier, Rel};
 use crate::write::number;
 
 /// How far "near" reaches, in metres.
@@ -122,7 +122,8 @@ impl Named<'_> {
 
     /// Whether a thing stands on the floor and is as high as people.
     pub fn tall(&self, item: usize) -> bool {
-        let up = self.said(item, |w| matches!(w, What::Place(Rel::Mounted | Rel::Hang, _, _) | What::Height(..)));
+        let up =
+            self.said(item, |w| matches!(w, FactKind::Place(Rel::Mounted | Rel::Hang, _, _) | FactKind::Height(..)));
         let words = &self.brief.things[item].words;
         let stands = words.iter().any(|w| matches!(w.as_str(), "floor" | "standing" | "tripod" | "arc"));
         let lamp = !stands && words.last().is_some_and(|w| w == "lamp" || w == "light");
@@ -139,7 +140,7 @@ impl Named<'_> {
         let (n, m) = (self.counts[a], self.counts[b].max(1));
         let each = if self.array(b) { n.div_ceil(m) } else { n };
         let [w, _, d] = self.sizes[a];
-        let at_wall = self.said(a, |s| matches!(s, What::Place(_, Place::Wall, _)));
+        let at_wall = self.said(a, |s| matches!(s, FactKind::Place(_, Place::Wall, _)));
         let extent = match each {
             0..=2 => 0.0,
             // Along a wall to both sides; else in a half circle.
@@ -152,12 +153,12 @@ impl Named<'_> {
     /// Whether a thing hangs: nothing can be under it in the sense of "pushed under".
     pub(super) fn hangs(&self, item: usize) -> bool {
         self.said(item, |w| {
-            matches!(w, What::Place(_, Place::Wall, _))
+            matches!(w, FactKind::Place(_, Place::Wall, _))
                 && !matches!(self.group(item), Group::Table | Group::Bed | Group::Seat)
         }) && self.brief.facts.iter().any(|f| {
             !f.not
                 && f.of.contains(&item)
-                && matches!(f.what, What::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
+                && matches!(f.what, FactKind::Place(Rel::Mounted | Rel::On | Rel::Hang, Place::Wall, _))
         })
     }
 
@@ -167,7 +168,7 @@ impl Named<'_> {
         let (of, to) = (self.name(a), self.name(b));
         let seat = self.group(a) == Group::Seat;
         let gap = self.brief.facts.iter().find_map(|f| match &f.what {
-            What::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
+            FactKind::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
             _ => None,
         });
         let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
@@ -250,7 +251,7 @@ impl Named<'_> {
     pub(super) fn ring(&self, a: usize, b: usize) -> f64 {
         let n = (self.counts[a].div_ceil(self.counts[b].max(1))) as f64;
         let ([w, _, d], [bw, _, bd]) = (self.sizes[a], self.sizes[b]);
-        let circle = self.said(a, |s| matches!(s, What::Pattern(Pattern::Circle)));
+        let circle = self.said(a, |s| matches!(s, FactKind::Pattern(Pattern::Circle)));
         let round = n * (w.max(d) + 0.25);
         let open = if circle { round / std::f64::consts::TAU - bw.min(bd) / 2.0 + 0.5 } else { 0.0 };
         let over = (n * (w + 0.15) - 2.0 * (bw + bd)).max(0.0) / std::f64::consts::TAU;

@@ -2,7 +2,7 @@
 
 use super::relations::{AROUND, DRAWN_UP};
 use super::{Named, indexed};
-use crate::brief::{Group, Op, Pattern, Place, Rel, What};
+use crate::brief::{FactKind, Group, Op, Pattern, Place, Rel};
 use crate::compose::grid::{self, Grid};
 use crate::write::number;
 
@@ -118,20 +118,20 @@ impl Named<'_> {
     pub fn wall_row(&self, a: usize) -> Option<(String, f64)> {
         let n = self.counts[a];
         let floor = matches!(self.group(a), Group::Seat | Group::Storage | Group::Floor | Group::Table | Group::Bed);
-        let row = self.said(a, |w| matches!(w, What::Pattern(Pattern::Row)));
+        let row = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Row)));
         if !self.array(a) || !floor || !row {
             return None;
         }
         let size = *self.room_sizes.get(self.brief.things[a].room)?;
         let which = self.brief.facts.iter().find_map(|f| match &f.what {
-            What::Place(Rel::Against | Rel::Along | Rel::At, Place::Wall, which) if f.of == [a] && !f.not => {
+            FactKind::Place(Rel::Against | Rel::Along | Rel::At, Place::Wall, which) if f.of == [a] && !f.not => {
                 Some(which)
             }
             _ => None,
         })?;
-        let elsewhere = |w: &What| match w {
-            What::Place(_, place, _) => !matches!(place, Place::Wall | Place::Row),
-            What::Rel(rel, _) => {
+        let elsewhere = |w: &FactKind| match w {
+            FactKind::Place(_, place, _) => !matches!(place, Place::Wall | Place::Row),
+            FactKind::Rel(rel, _) => {
                 matches!(rel, Rel::On | Rel::In | Rel::Around | Rel::Under | Rel::Between | Rel::Opposite)
             }
             _ => false,
@@ -140,7 +140,7 @@ impl Named<'_> {
             return None;
         }
         let gap = self.brief.facts.iter().find_map(|f| match f.what {
-            What::Among(_, v) if f.of == [a] => Some(v),
+            FactKind::Among(_, v) if f.of == [a] => Some(v),
             _ => None,
         });
         let step = self.sizes[a][0] + gap.unwrap_or(0.1);
@@ -204,7 +204,7 @@ impl Named<'_> {
     /// Seats at tables that stand in rows: each at its place, turned to its table.
     pub fn drawn_up(&self, a: usize) -> Option<String> {
         let (rel, b) = self.brief.facts.iter().find_map(|f| match &f.what {
-            What::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to)
+            FactKind::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to)
                 if f.of == [a] && to.len() == 1 =>
             {
                 Some((*rel, to[0]))
@@ -307,7 +307,7 @@ impl Named<'_> {
     /// What a circle is around, if that was said.
     fn centre_of(&self, a: usize) -> Option<usize> {
         self.brief.facts.iter().find_map(|f| match &f.what {
-            What::Rel(Rel::Around, to) if f.of.contains(&a) && self.counts[to[0]] == 1 => Some(to[0]),
+            FactKind::Rel(Rel::Around, to) if f.of.contains(&a) && self.counts[to[0]] == 1 => Some(to[0]),
             _ => None,
         })
     }

@@ -2,7 +2,7 @@
 
 use super::Named;
 use super::relations::{ACROSS, BEFORE, DRAWN_UP, NEAR, predicate};
-use crate::brief::{Group, Place, Rel, What};
+use crate::brief::{FactKind, Group, Place, Rel};
 use crate::compose::sizes;
 use crate::write::number;
 
@@ -126,7 +126,7 @@ impl Named<'_> {
         match rel {
             Rel::InFrontOf | Rel::Behind => {
                 out.push(format!("{verb} {};", pairs(&call(predicate(rel)))));
-                if matches!(gb, Group::Door | Group::Window) && !self.said(a, |w| matches!(w, What::Gap(..))) {
+                if matches!(gb, Group::Door | Group::Window) && !self.said(a, |w| matches!(w, FactKind::Gap(..))) {
                     // All of a room lies before a window; what stands in front of it is close.
                     out.push(format!("{verb} {};", pairs(&far(BEFORE))));
                 }
@@ -137,7 +137,7 @@ impl Named<'_> {
                 }
                 if ga == Group::Seat && matches!(gb, Group::Table) {
                     // Rows of chairs before a lectern are not drawn up to it.
-                    let away = self.said(a, |w| matches!(w, What::Gap(..))) || !sizes::seats(self.brief, b);
+                    let away = self.said(a, |w| matches!(w, FactKind::Gap(..))) || !sizes::seats(self.brief, b);
                     let d = if away { None } else { Some(DRAWN_UP) };
                     if let Some(d) = d {
                         out.push(format!("{verb} {};", pairs(&far(d))));
@@ -208,8 +208,8 @@ impl Named<'_> {
 
     /// Whether something hangs on a wall that is said to be above what stands in the middle of the room: not both can be.
     fn far_from_wall(&self, a: usize, b: usize) -> bool {
-        let on_wall = |w: &What| matches!(w, What::Place(rel, Place::Wall, _) if *rel != Rel::Near);
-        let middle = |w: &What| matches!(w, What::Place(rel, Place::Middle, _) if *rel != Rel::Near);
+        let on_wall = |w: &FactKind| matches!(w, FactKind::Place(rel, Place::Wall, _) if *rel != Rel::Near);
+        let middle = |w: &FactKind| matches!(w, FactKind::Place(rel, Place::Middle, _) if *rel != Rel::Near);
         self.said(a, on_wall) && self.said(b, middle)
     }
 

@@ -23,9 +23,9 @@ impl Reader<'_> {
     /// "one chair per desk", "a chair for each bed", "ten tables, four chairs each": so many for each.
     pub(super) fn for_each(&mut self, k: usize, end: usize, id: usize, group: &[usize]) -> usize {
         let is_for =
-            matches!(self.piece(k, end), Some(Piece::Word(_))) && self.tokens[self.chunks[k].at.start].is("for");
+            matches!(self.piece(k, end), Some(ChunkPiece::Word(_))) && self.tokens[self.chunks[k].at.start].is("for");
         if let (true, Some(np)) = (is_for, self.np(k + 1, end))
-            && (np.kind, np.det) == (Kind::Thing, Det::Each)
+            && (np.kind, np.det) == (NounKind::Thing, Det::Each)
             && let Some(owner) = self.find(np).filter(|owner| *owner != id)
         {
             self.mark(k);
@@ -35,16 +35,17 @@ impl Reader<'_> {
             return k + 2;
         }
         // "two beds and a chair for each"
-        let is_for = is_for && self.np(k + 1, end).is_some_and(|np| np.kind == Kind::Pronoun);
+        let is_for = is_for && self.np(k + 1, end).is_some_and(|np| np.kind == NounKind::Pronoun);
         let of = k + usize::from(is_for);
-        let Some(np) = self.np(of, end).filter(|n| n.det == Det::Each || n.kind == Kind::Pronoun) else { return k };
-        let owner = if np.kind == Kind::Thing && self.tokens[self.chunks[of].at.start].is("per") {
+        let Some(np) = self.np(of, end).filter(|n| n.det == Det::Each || n.kind == NounKind::Pronoun) else { return k };
+        let owner = if np.kind == NounKind::Thing && self.tokens[self.chunks[of].at.start].is("per") {
             self.find(np)
         } else {
-            let ends = matches!(self.piece(of + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+            let ends =
+                matches!(self.piece(of + 1, end), None | Some(ChunkPiece::Comma | ChunkPiece::And | ChunkPiece::Close));
             let many = |o: &&usize| **o != id && self.brief.things[**o].number.many();
             let lists = || group.iter().rev().chain(self.main.iter()).chain(self.before.iter());
-            let each = np.kind == Kind::Pronoun && np.words.first().is_some_and(|w| w == "each");
+            let each = np.kind == NounKind::Pronoun && np.words.first().is_some_and(|w| w == "each");
             if each && ends { lists().find(many).copied() } else { None }
         };
         let Some(owner) = owner.filter(|o| *o != id) else { return k };
@@ -64,52 +65,56 @@ impl Reader<'_> {
                 continue;
             }
             match self.piece(k, end) {
-                Some(Piece::Open) => depth += 1,
-                Some(Piece::Close) => depth -= 1,
-                Some(Piece::Attr(look)) => {
+                Some(ChunkPiece::Open) => depth += 1,
+                Some(ChunkPiece::Close) => depth -= 1,
+                Some(ChunkPiece::Attr(look)) => {
                     self.mark(k);
                     self.add_look(&[id], look);
                 }
                 // "a block of wood"
-                Some(Piece::Rel(Rel::Of))
-                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
+                Some(ChunkPiece::Rel(Rel::Of))
+                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_)))
                         && self.brief.things[id].words.last().is_some_and(|w| get().is(w, Class::Portion)) =>
                 {
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
                     self.brief.things[id].of = Some(format!("of {}", text.join(" ")));
                     self.mark(k);
                 }
-                Some(Piece::Rel(Rel::Of | Rel::In)) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {
+                Some(ChunkPiece::Rel(Rel::Of | Rel::In))
+                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_))) =>
+                {
                     self.mark(k)
                 }
-                Some(Piece::Rel(Rel::Of))
-                    if self
-                        .np(k + 1, end)
-                        .is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Abstract) && n.det == Det::None) =>
+                Some(ChunkPiece::Rel(Rel::Of))
+                    if self.np(k + 1, end).is_some_and(|n| {
+                        matches!(n.kind, NounKind::Thing | NounKind::Abstract) && n.det == Det::None
+                    }) =>
                 {
                     // "a bowl of mints", "a stack of books"
                     self.holds(k, end, id);
                     k += 1;
                 }
-                Some(Piece::Measure(m)) if !m.area && (m.values.len() > 1 || !m.dims.is_empty()) && is_its_size(m) => {
+                Some(ChunkPiece::Measure(m))
+                    if !m.area && (m.values.len() > 1 || !m.dims.is_empty()) && is_its_size(m) =>
+                {
                     let mut dims = Vec::new();
                     crate::read::noun::add_dims(&mut dims, &m.values, &m.dims);
                     let whole = self.brief.whole(id);
                     self.brief.things[whole].take_dims(&dims);
                     self.mark(k);
                 }
-                Some(Piece::Comma) if self.part_here(k + 1, end).is_some() => {
+                Some(ChunkPiece::Comma) if self.part_here(k + 1, end).is_some() => {
                     // "a desk, glass top, …"
                     k = self.part_after_comma(k, end, id);
                     continue;
                 }
-                Some(Piece::Comma)
-                    if matches!(self.piece(k + 1, end), Some(Piece::Attr(_)))
-                        || matches!(self.piece(k + 1, end), Some(Piece::Measure(m)) if !m.dims.is_empty() && is_its_size(m)) =>
+                Some(ChunkPiece::Comma)
+                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_)))
+                        || matches!(self.piece(k + 1, end), Some(ChunkPiece::Measure(m)) if !m.dims.is_empty() && is_its_size(m)) =>
                     {}
-                Some(Piece::Comma | Piece::And) if depth > 0 => {}
-                Some(Piece::And) if matches!(self.piece(k + 1, end), Some(Piece::Attr(_))) => {}
-                Some(Piece::Np(np))
+                Some(ChunkPiece::Comma | ChunkPiece::And) if depth > 0 => {}
+                Some(ChunkPiece::And) if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_))) => {}
+                Some(ChunkPiece::Np(np))
                     if depth > 0
                         && (get().part(&np.head()) || np.look != crate::draft::Look::default() && !np.known) =>
                 {
@@ -117,8 +122,8 @@ impl Reader<'_> {
                     self.add_look(&[id], &np.look.clone());
                     self.feature(id, k..k + 1);
                 }
-                Some(Piece::With) if self.np(k + 1, end).is_some_and(part_of_it) => {
-                    let back = matches!(self.piece(k + 2, end), Some(Piece::Rel(r)) if *r != Rel::Of);
+                Some(ChunkPiece::With) if self.np(k + 1, end).is_some_and(part_of_it) => {
+                    let back = matches!(self.piece(k + 2, end), Some(ChunkPiece::Rel(r)) if *r != Rel::Of);
                     if back {
                         break;
                     }
@@ -127,26 +132,26 @@ impl Reader<'_> {
                     continue;
                 }
                 // "a shelf on wheels"
-                Some(Piece::Rel(Rel::On)) if self.np(k + 1, end).is_some_and(is_what_it_stands_on) => {
+                Some(ChunkPiece::Rel(Rel::On)) if self.np(k + 1, end).is_some_and(is_what_it_stands_on) => {
                     self.feature(id, k..k + 2);
                     k += 1;
                 }
                 // "palms in black pots", "a picture in a gold frame"
-                Some(Piece::Rel(Rel::In))
+                Some(ChunkPiece::Rel(Rel::In))
                     if matches!(self.brief.things[id].group, Group::Floor | Group::Wall)
                         && self.np(k + 1, end).is_some_and(is_what_it_is_in) =>
                 {
                     self.feature(id, k..k + 2);
                     k += 1;
                 }
-                Some(Piece::Word(_)) if self.shape(k, end).is_some() => {
+                Some(ChunkPiece::Word(_)) if self.shape(k, end).is_some() => {
                     let np = self.shape(k, end).unwrap_or(k);
                     self.feature(id, k..np + 1);
                     k = np;
                 }
-                Some(Piece::Soft) if depth > 0 => self.mark(k),
-                Some(Piece::Word(_) | Piece::Measure(_)) if depth > 0 => {}
-                Some(Piece::Np(np)) if depth > 0 && np.kind == Kind::Abstract => {}
+                Some(ChunkPiece::Soft) if depth > 0 => self.mark(k),
+                Some(ChunkPiece::Word(_) | ChunkPiece::Measure(_)) if depth > 0 => {}
+                Some(ChunkPiece::Np(np)) if depth > 0 && np.kind == NounKind::Abstract => {}
                 _ => break,
             }
             k += 1;
@@ -185,7 +190,7 @@ impl Reader<'_> {
             return;
         }
         let heap = self.brief.things[id].words.last().is_some_and(|w| matches!(w.as_str(), "stack" | "pile"));
-        match self.np(k + 1, end).filter(|n| heap && n.kind == Kind::Thing) {
+        match self.np(k + 1, end).filter(|n| heap && n.kind == NounKind::Thing) {
             // "a stack of beer mats"
             Some(np) => {
                 let words = np.words.clone();
@@ -212,16 +217,17 @@ impl Reader<'_> {
     /// How many there are, said after the noun: "(6)", "x 2", "bookcases - four", "shelving / 8 / …".
     pub(super) fn count_after(&mut self, k: usize, end: usize, id: usize, first: usize) -> Option<usize> {
         let text = |i: usize| (i < end).then(|| self.tokens[self.chunks[i].at.start].text.as_str());
-        if self.piece(k, end) == Some(&Piece::Comma) && matches!(text(k + 1), Some("x" | "×")) {
+        if self.piece(k, end) == Some(&ChunkPiece::Comma) && matches!(text(k + 1), Some("x" | "×")) {
             return self.count_after(k + 1, end, id, first);
         }
         let n = self.number_at(k + 1, end)?;
         let after = self.piece(k + 2, end);
-        let alone = matches!(after, None | Some(Piece::Comma | Piece::Close | Piece::Line | Piece::Stop));
+        let alone =
+            matches!(after, None | Some(ChunkPiece::Comma | ChunkPiece::Close | ChunkPiece::Line | ChunkPiece::Stop));
         let said = match self.piece(k, end)? {
-            Piece::Open => alone || matches!(text(k + 2), Some("no" | "nos" | "off" | "pcs" | "pieces")),
-            Piece::Comma => alone && k == first,
-            Piece::Word(_) => matches!(text(k), Some("x" | "×")) && alone,
+            ChunkPiece::Open => alone || matches!(text(k + 2), Some("no" | "nos" | "off" | "pcs" | "pieces")),
+            ChunkPiece::Comma => alone && k == first,
+            ChunkPiece::Word(_) => matches!(text(k), Some("x" | "×")) && alone,
             _ => false,
         };
         // "heat lamps over the pass - four": of the lamps.
@@ -242,12 +248,12 @@ impl Reader<'_> {
         let at = item.source.at();
         self.brief.notes.extend(crate::read::counts::said(n as f64).map(|reason| Note { at, reason }));
         self.mark(k + 1);
-        Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(Piece::Not | Piece::Word(_)))))
+        Some(k + 2 + usize::from(matches!(self.piece(k + 2, end), Some(ChunkPiece::Not | ChunkPiece::Word(_)))))
     }
 
     /// "a table for six", "six tables, each for four pupils".
     fn places_after(&mut self, k: usize, end: usize, id: usize) -> Option<usize> {
-        let each = self.piece(k, end) == Some(&Piece::Comma)
+        let each = self.piece(k, end) == Some(&ChunkPiece::Comma)
             && self.chunks.get(k + 1).is_some_and(|c| c.at.len() == 1 && self.tokens[c.at.start].is("each"));
         let first = if each { k + 2 } else { k };
         let from = self.chunks.get(first).filter(|_| first < end)?.at.start;
@@ -264,7 +270,7 @@ impl Reader<'_> {
     pub(super) fn deny(&mut self, i: usize, end: usize) -> usize {
         let mut k = i;
         let first = self.np(i, end).map_or(Det::None, |np| np.det);
-        while let Some(np) = self.np(k, end).filter(|n| n.kind == Kind::Thing) {
+        while let Some(np) = self.np(k, end).filter(|n| n.kind == NounKind::Thing) {
             let at = self.bytes(k..k + 1);
             // "no blorbing" rules out nothing that could be there.
             if np.known || !np.words.last().is_some_and(|w| w.ends_with("ing")) {
@@ -273,12 +279,12 @@ impl Reader<'_> {
             }
             k += 1;
             let mut next = k;
-            while matches!(self.piece(next, end), Some(Piece::And | Piece::Comma)) {
+            while matches!(self.piece(next, end), Some(ChunkPiece::And | ChunkPiece::Comma)) {
                 next += 1;
             }
             // "no beds and two chairs": the chairs are there.
             let counted = self.np(next, end).is_some_and(|n| {
-                n.kind == Kind::Thing && (n.count.is_some() || n.det == Det::Indefinite && first != Det::Indefinite)
+                n.kind == NounKind::Thing && (n.count.is_some() || n.det == Det::Indefinite && first != Det::Indefinite)
             });
             // "without a bed and with two chairs": so are these.
             if counted || self.np(next, end).is_none() {
@@ -287,10 +293,11 @@ impl Reader<'_> {
             k = next;
         }
         // Where it must not be says nothing more; one that must not be there is none that must not be at all.
-        if matches!(self.piece(k, end), Some(Piece::Rel(Rel::Between | Rel::InFrontOf | Rel::Behind | Rel::Near))) {
+        if matches!(self.piece(k, end), Some(ChunkPiece::Rel(Rel::Between | Rel::InFrontOf | Rel::Behind | Rel::Near)))
+        {
             self.brief.absent.pop();
         }
-        while k < end && !matches!(self.chunks[k].piece, Piece::Comma | Piece::And) {
+        while k < end && !matches!(self.chunks[k].piece, ChunkPiece::Comma | ChunkPiece::And) {
             self.mark(k);
             k += 1;
         }

@@ -76,7 +76,7 @@ impl Reader<'_> {
             return object;
         }
         let on = |o: &&usize| {
-            let says = |f: &Fact| f.of.contains(o) && matches!(&f.what, What::Rel(Rel::On, to) if *to == object);
+            let says = |f: &Fact| f.of.contains(o) && matches!(&f.what, FactKind::Rel(Rel::On, to) if *to == object);
             !self.near.contains(o)
                 && matches!(group(o), Group::Top | Group::Screen)
                 && self.brief.facts.iter().any(says)
@@ -137,7 +137,7 @@ impl Reader<'_> {
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
             let soft = self.s.soft;
-            self.state(&of, What::Rel(rel, object), soft, true);
+            self.state(&of, FactKind::Rel(rel, object), soft, true);
         } else {
             let sides = self.sides(i);
             if sides {
@@ -238,10 +238,10 @@ impl Reader<'_> {
 
     /// "to the left as you come in", "against the wall to the right": in that part of the room.
     fn side_of_room(&mut self, i: usize, of: &[usize], which: &str) -> bool {
-        let wall = i > 0 && self.chunks[i - 1].np().is_some_and(|np| np.kind == Kind::Place(Place::Wall));
+        let wall = i > 0 && self.chunks[i - 1].np().is_some_and(|np| np.kind == NounKind::Place(Place::Wall));
         let own = self.s.at.clone();
         let last = self.brief.facts.iter_mut().rev().take_while(|f| own.start <= f.source.at().start);
-        if wall && let Some(What::Place(_, Place::Wall, sides)) = last.map(|f| &mut f.what).next() {
+        if wall && let Some(FactKind::Place(_, Place::Wall, sides)) = last.map(|f| &mut f.what).next() {
             sides.push(which.to_owned());
             return true;
         }
@@ -258,7 +258,7 @@ impl Reader<'_> {
         let seat = object.len() == 1 && self.brief.things[object[0]].group == Group::Seat;
         let stable = |o: &usize| matches!(self.brief.things[*o].group, Group::Table | Group::Bed);
         let at = self.brief.facts.iter().rev().find_map(|f| match &f.what {
-            What::Rel(Rel::Facing | Rel::At | Rel::InFrontOf | Rel::Around, to) if f.of == object && !f.not => {
+            FactKind::Rel(Rel::Facing | Rel::At | Rel::InFrontOf | Rel::Around, to) if f.of == object && !f.not => {
                 Some(to.clone())
             }
             _ => None,
@@ -270,8 +270,8 @@ impl Reader<'_> {
     /// is said of.
     pub(super) fn all_owned(&self, i: usize, to: &[usize]) -> Option<Vec<usize>> {
         let Expect::With(owner, _) = &self.s.expect else { return None };
-        let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be)));
-        let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == Kind::Thing);
+        let verb = usize::from(i > 0 && matches!(self.chunks[i - 1].piece, ChunkPiece::Verb(Verb::Be)));
+        let listed = i > verb && self.chunks[i - 1 - verb].np().is_some_and(|np| np.kind == NounKind::Thing);
         if !listed || owner != to {
             return None;
         }
@@ -292,9 +292,9 @@ impl Reader<'_> {
             Rel::RightOf => Rel::LeftOf,
             _ => return None,
         };
-        let k = (i + 1..end.min(i + 4)).find(|k| self.chunks[*k].piece == Piece::Rel(opposite))?;
-        let between = |c: &Chunk| c.piece == Piece::And || c.np().is_some_and(|n| n.kind == Kind::Pronoun);
-        if !bare || !self.chunks[i + 1..k].iter().all(between) || self.np(k + 1, end)?.kind != Kind::Thing {
+        let k = (i + 1..end.min(i + 4)).find(|k| self.chunks[*k].piece == ChunkPiece::Rel(opposite))?;
+        let between = |c: &Chunk| c.piece == ChunkPiece::And || c.np().is_some_and(|n| n.kind == NounKind::Pronoun);
+        if !bare || !self.chunks[i + 1..k].iter().all(between) || self.np(k + 1, end)?.kind != NounKind::Thing {
             return None;
         }
         match self.object(k + 1, end, rel)? {

@@ -30,7 +30,7 @@ impl Reader<'_> {
         let of = self.main.clone();
         let fresh: Vec<usize> = of.clone();
         if let Some(pattern) = self.s.lead_pattern.take() {
-            self.say(&of, What::Pattern(pattern));
+            self.say(&of, FactKind::Pattern(pattern));
         }
         if std::mem::take(&mut self.s.lead_twice) {
             self.double();
@@ -39,7 +39,7 @@ impl Reader<'_> {
             match to {
                 Lead::Items(items, _) if self.s.lead_not => {
                     let soft = self.s.soft;
-                    self.state(&of, What::Rel(*rel, items.clone()), soft, true);
+                    self.state(&of, FactKind::Rel(*rel, items.clone()), soft, true);
                 }
                 Lead::Items(items, each) => {
                     if *each && items.len() == 1 {
@@ -117,7 +117,7 @@ impl Reader<'_> {
 
     /// "two lamps, one on each side of the bed": both of them. Whether that is said.
     pub(super) fn one_on_each_side(&mut self, i: usize, end: usize, np: &Np) -> bool {
-        let side = matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) && self.sides(i + 1);
+        let side = matches!(self.piece(i + 1, end), Some(ChunkPiece::Rel(_))) && self.sides(i + 1);
         let pair = matches!(self.main.as_slice(), [pair] if self.brief.things[*pair].number.said() == Some(2));
         let said = np.count == Some(1) && side && pair;
         if said {
@@ -141,7 +141,7 @@ impl Reader<'_> {
             return Some(i + 1);
         }
         let n = np.count.filter(|n| *n > 1 && GROUPS.contains(&name.as_str()))?;
-        let of = matches!(self.piece(i + 1, end), Some(Piece::Rel(Rel::Of)));
+        let of = matches!(self.piece(i + 1, end), Some(ChunkPiece::Rel(Rel::Of)));
         let each = self.number_at(i + 2, end).filter(|_| of)?;
         let [item] = self.main[..] else { return None };
         let thing = &mut self.brief.things[item];
@@ -156,9 +156,9 @@ impl Reader<'_> {
     /// "A shelf for controllers and headsets": that is where these are.
     pub(super) fn kept_there(&mut self, i: usize, np: &Np) {
         let is_for = i > 1
-            && matches!(self.chunks[i - 1].piece, Piece::Word(_))
+            && matches!(self.chunks[i - 1].piece, ChunkPiece::Word(_))
             && self.tokens[self.chunks[i].at.start - 1].is("for")
-            && self.chunks[i - 2].np().is_some_and(|before| before.kind == Kind::Thing);
+            && self.chunks[i - 2].np().is_some_and(|before| before.kind == NounKind::Thing);
         let small = np.many && matches!(np.det, Det::None | Det::Number) && np.group == Some(Group::Top);
         if let ([keeper], true) = (self.near.as_slice(), is_for && small)
             && matches!(self.brief.things[*keeper].group, Group::Storage | Group::Table)

@@ -20,7 +20,7 @@ impl Reader<'_> {
         }
         if m.dims.contains(&Dim::Elevation) {
             let of = self.subject(i);
-            self.say(&of, What::Height(m.op, m.values[0]));
+            self.say(&of, FactKind::Height(m.op, m.values[0]));
             return i + 1;
         }
         let sized = m.values.len() > 1 || !m.dims.is_empty();
@@ -31,7 +31,7 @@ impl Reader<'_> {
             && self.s.keep
             && matches!(
                 self.piece(i + 1, end),
-                Some(Piece::Verb(Verb::Keep) | Piece::ToIts(_) | Piece::Rel(Rel::InFrontOf))
+                Some(ChunkPiece::Verb(Verb::Keep) | ChunkPiece::ToIts(_) | ChunkPiece::Rel(Rel::InFrontOf))
             )
         {
             // "a free area of 1 m by 1 m in front of it"
@@ -46,25 +46,27 @@ impl Reader<'_> {
         let mut k = i + 1;
         loop {
             match self.piece(k, end) {
-                Some(Piece::Rel(Rel::Of))
-                    if self.np(k + 1, end).is_some_and(|n| n.kind == Kind::Abstract)
-                        || matches!(self.piece(k + 1, end), Some(Piece::Free | Piece::Word(_))) =>
+                Some(ChunkPiece::Rel(Rel::Of))
+                    if self.np(k + 1, end).is_some_and(|n| n.kind == NounKind::Abstract)
+                        || matches!(self.piece(k + 1, end), Some(ChunkPiece::Free | ChunkPiece::Word(_))) =>
                 {
                     k += 1
                 }
-                Some(Piece::Np(np)) if np.kind == Kind::Abstract => k += 1,
-                Some(Piece::Word(_)) if k < i + 4 => k += 1,
-                Some(Piece::Verb(Verb::Be | Verb::Keep))
-                    if matches!(self.piece(k + 1, end), Some(Piece::Verb(_) | Piece::Free | Piece::Word(_)))
-                        && self.s.keep =>
+                Some(ChunkPiece::Np(np)) if np.kind == NounKind::Abstract => k += 1,
+                Some(ChunkPiece::Word(_)) if k < i + 4 => k += 1,
+                Some(ChunkPiece::Verb(Verb::Be | Verb::Keep))
+                    if matches!(
+                        self.piece(k + 1, end),
+                        Some(ChunkPiece::Verb(_) | ChunkPiece::Free | ChunkPiece::Word(_))
+                    ) && self.s.keep =>
                 {
                     k += 1
                 }
-                Some(Piece::Verb(Verb::Keep)) => k += 1,
+                Some(ChunkPiece::Verb(Verb::Keep)) => k += 1,
                 // "1.5 m is to be maintained between the rows"
-                Some(Piece::Verb(Verb::Be))
-                    if matches!(self.piece(k + 1, end), Some(Piece::Verb(Verb::Keep) | Piece::Word(_)))
-                        && matches!(self.piece(k + 2, end), Some(Piece::Rel(_))) =>
+                Some(ChunkPiece::Verb(Verb::Be))
+                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Verb(Verb::Keep) | ChunkPiece::Word(_)))
+                        && matches!(self.piece(k + 2, end), Some(ChunkPiece::Rel(_))) =>
                 {
                     k += 1
                 }
@@ -73,10 +75,10 @@ impl Reader<'_> {
         }
         self.s.pending = Some(m.clone());
         match self.piece(k, end) {
-            Some(Piece::Rel(_) | Piece::Apart | Piece::Free | Piece::ToIts(_)) => {}
+            Some(ChunkPiece::Rel(_) | ChunkPiece::Apart | ChunkPiece::Free | ChunkPiece::ToIts(_)) => {}
             _ => {
-                let at = i > 0 && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::At))
-                    || i > 1 && matches!(self.chunks[i - 2].piece, Piece::Rel(Rel::At));
+                let at = i > 0 && matches!(self.chunks[i - 1].piece, ChunkPiece::Rel(Rel::At))
+                    || i > 1 && matches!(self.chunks[i - 2].piece, ChunkPiece::Rel(Rel::At));
                 self.s.pending = None;
                 let of = self.subject(i);
                 let between = self.s.lead.iter().rposition(|(r, _)| matches!(r, Rel::Between | Rel::From));
@@ -88,7 +90,7 @@ impl Reader<'_> {
                 } else if let Some((of, rel, to)) = self.s.last.clone() {
                     self.distance(&of, rel, &to, m);
                 } else if at && !of.is_empty() {
-                    self.say(&of, What::Height(m.op, m.values[0]));
+                    self.say(&of, FactKind::Height(m.op, m.values[0]));
                 } else if !of.is_empty() && !m.said {
                     for o in of {
                         let o = self.brief.whole(o);
@@ -127,7 +129,7 @@ impl Reader<'_> {
             np.words.last().is_some_and(|w| matches!(w.as_str(), "path" | "walkway" | "passage" | "aisle" | "aisles"))
         };
         for k in self.s.chunks.start..end {
-            let free = matches!(self.chunks[k].piece, Piece::Free | Piece::Rel(Rel::Between));
+            let free = matches!(self.chunks[k].piece, ChunkPiece::Free | ChunkPiece::Rel(Rel::Between));
             if free || self.np(k, end).is_some_and(way) {
                 self.mark(k);
             }
@@ -135,7 +137,7 @@ impl Reader<'_> {
         let mut k = i + 1;
         while k < end {
             if let Some(np) = self.np(k, end)
-                && np.kind == Kind::Thing
+                && np.kind == NounKind::Thing
                 && let Some(id) = self.find(np).or_else(|| self.introduce(k, np))
             {
                 items.push(id);
@@ -157,19 +159,22 @@ impl Reader<'_> {
                 let door = self.brief.things.iter().position(|it| it.group == Group::Door);
                 match door {
                     // "aisles 2 m wide between six racks": from row to row.
-                    _ if self.brief.things[*one].number.many() => self.say(&[*one], What::Rows(Op::Least, m.values[0])),
-                    Some(d) if d != *one => self.say(&[*one], What::Path(m.values[0], vec![d])),
-                    _ => self.say(&[*one], What::Among(Op::Least, m.values[0])),
+                    _ if self.brief.things[*one].number.many() => {
+                        self.say(&[*one], FactKind::Rows(Op::Least, m.values[0]))
+                    }
+                    Some(d) if d != *one => self.say(&[*one], FactKind::Path(m.values[0], vec![d])),
+                    _ => self.say(&[*one], FactKind::Among(Op::Least, m.values[0])),
                 }
             }
             [a, rest @ ..] => {
                 // Between a door and what it leads to, one walks.
                 let walked = items.iter().any(|item| self.brief.things[*item].opening());
-                let between = !walked && self.chunks[i + 1..end].iter().any(|c| c.piece == Piece::Rel(Rel::Between));
+                let between =
+                    !walked && self.chunks[i + 1..end].iter().any(|c| c.piece == ChunkPiece::Rel(Rel::Between));
                 let what = if between {
-                    What::Gap(Op::Least, m.values[0], rest.to_vec())
+                    FactKind::Gap(Op::Least, m.values[0], rest.to_vec())
                 } else {
-                    What::Path(m.values[0], rest.to_vec())
+                    FactKind::Path(m.values[0], rest.to_vec())
                 };
                 self.say(&[*a], what);
             }
@@ -209,7 +214,7 @@ impl Reader<'_> {
                     Op::Equal => Op::Equal,
                 };
             }
-            self.say(&of, What::Size(dim, op, dims[0].1));
+            self.say(&of, FactKind::Size(dim, op, dims[0].1));
         } else {
             for o in of {
                 let o = self.brief.whole(o);
@@ -222,33 +227,33 @@ impl Reader<'_> {
     pub(super) fn on_free(&mut self, i: usize, end: usize) -> usize {
         let mut k = i + 1;
         // "kept clear to a depth of 1.2 m"
-        while matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Rel(Rel::Of)))
-            || matches!(self.piece(k, end), Some(Piece::Rel(Rel::To)))
-                && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
-            || self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
+        while matches!(self.piece(k, end), Some(ChunkPiece::Word(_) | ChunkPiece::Rel(Rel::Of)))
+            || matches!(self.piece(k, end), Some(ChunkPiece::Rel(Rel::To)))
+                && matches!(self.piece(k + 1, end), Some(ChunkPiece::Measure(_)))
+            || self.np(k, end).is_some_and(|n| n.kind == NounKind::Abstract)
         {
-            if let Some(Piece::Rel(Rel::Of | Rel::To)) = self.piece(k, end)
-                && matches!(self.piece(k + 1, end), Some(Piece::Measure(_)))
+            if let Some(ChunkPiece::Rel(Rel::Of | Rel::To)) = self.piece(k, end)
+                && matches!(self.piece(k + 1, end), Some(ChunkPiece::Measure(_)))
             {
                 k += 1;
                 break;
             }
             k += 1;
         }
-        if let Some(Piece::Measure(m)) = self.piece(k, end) {
+        if let Some(ChunkPiece::Measure(m)) = self.piece(k, end) {
             self.s.pending = Some(m.clone());
             self.s.waits = k;
             self.mark(k);
             k += 1;
-            while self.np(k, end).is_some_and(|n| n.kind == Kind::Abstract)
-                || matches!(self.piece(k, end), Some(Piece::Word(_) | Piece::Verb(Verb::Be | Verb::Keep)))
+            while self.np(k, end).is_some_and(|n| n.kind == NounKind::Abstract)
+                || matches!(self.piece(k, end), Some(ChunkPiece::Word(_) | ChunkPiece::Verb(Verb::Be | Verb::Keep)))
             {
                 k += 1;
             }
         }
         self.mark(i);
         // "the exits are to be kept clear to a depth of 1.2 m"
-        let ends = matches!(self.piece(k, end), None | Some(Piece::Comma | Piece::And | Piece::Close));
+        let ends = matches!(self.piece(k, end), None | Some(ChunkPiece::Comma | ChunkPiece::And | ChunkPiece::Close));
         if ends && self.s.subject && self.s.keep && !self.s.path {
             let passage = self.main.iter().all(|o| self.brief.things[*o].opening());
             let depth = match self.s.pending.take() {
@@ -271,10 +276,10 @@ impl Reader<'_> {
                 let m = Measure { op: flip(m, not || self.s.nothing), ..m.clone() };
                 match to {
                     [a, rest @ ..] if !rest.is_empty() => {
-                        self.say(&[*a], What::Gap(min_if_keep(&m, self.s.keep), m.values[0], rest.to_vec()))
+                        self.say(&[*a], FactKind::Gap(min_if_keep(&m, self.s.keep), m.values[0], rest.to_vec()))
                     }
                     [one, ..] => {
-                        let what = What::Among(min_if_keep(&m, self.s.keep), m.values[0]);
+                        let what = FactKind::Among(min_if_keep(&m, self.s.keep), m.values[0]);
                         self.say(&[*one], what);
                     }
                     [] => {}
@@ -288,7 +293,7 @@ impl Reader<'_> {
             Rel::Of | Rel::From | Rel::To | Rel::Far | Rel::Near | Rel::Than
                 if self.s.nothing && (of.is_empty() || of == to || !self.s.subject) =>
             {
-                self.say(to, What::Alone(m.values[0]));
+                self.say(to, FactKind::Alone(m.values[0]));
             }
             _ => {
                 if of.is_empty() {
@@ -308,15 +313,15 @@ impl Reader<'_> {
         if !matches!(rel, Rel::From | Rel::Of | Rel::To | Rel::Far | Rel::Near | Rel::At | Rel::Than) {
             self.relate(&of, rel, to);
         }
-        self.say(&of, What::Gap(m.op, m.values[0], to.to_vec()));
+        self.say(&of, FactKind::Gap(m.op, m.values[0], to.to_vec()));
     }
 
     pub(super) fn among(&mut self, m: &Measure) {
         let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
         let op = flip(m, self.s.not || self.s.nothing);
         match of.as_slice() {
-            [a, rest @ ..] if !rest.is_empty() => self.say(&[*a], What::Gap(op, m.values[0], rest.to_vec())),
-            [_, ..] => self.say(&of, What::Among(op, m.values[0])),
+            [a, rest @ ..] if !rest.is_empty() => self.say(&[*a], FactKind::Gap(op, m.values[0], rest.to_vec())),
+            [_, ..] => self.say(&of, FactKind::Among(op, m.values[0])),
             [] => {}
         }
     }
@@ -326,10 +331,15 @@ impl Reader<'_> {
         let op = min_if_keep(&Measure { op: flip(m, self.s.not || self.s.nothing), ..m.clone() }, true);
         let of = if self.main.is_empty() { self.before.clone() } else { self.main.clone() };
         let many = of.iter().copied().find(|o| self.brief.things[*o].number.many());
-        let rows =
-            self.brief.facts.iter().rev().find(|f| matches!(f.what, What::Pattern(Pattern::Rows(_)))).map(|f| f.of[0]);
+        let rows = self
+            .brief
+            .facts
+            .iter()
+            .rev()
+            .find(|f| matches!(f.what, FactKind::Pattern(Pattern::Rows(_))))
+            .map(|f| f.of[0]);
         if let Some(item) = rows.or(many) {
-            self.say(&[item], What::Rows(op, m.values[0]));
+            self.say(&[item], FactKind::Rows(op, m.values[0]));
         }
     }
 
@@ -342,7 +352,7 @@ impl Reader<'_> {
             Rel::Around | Rel::Beside => Side::Around,
             _ => Side::Front,
         };
-        self.say(of, What::Clear(side, depth));
+        self.say(of, FactKind::Clear(side, depth));
     }
 
     /// "Two doors: the main door …, the back door …": the two are those.
@@ -356,7 +366,7 @@ impl Reader<'_> {
             .chunks
             .iter()
             .find(|c| self.tokens[c.at.start].at.start >= item.source.at().end)
-            .is_some_and(|c| c.piece == Piece::Colon);
+            .is_some_and(|c| c.piece == ChunkPiece::Colon);
         let (last, count) = (item.words.last().cloned(), item.number.said());
         let others: Vec<usize> = items.collect();
         let named: usize = others.iter().map(|o| self.brief.things[*o].number.said().unwrap_or(0)).sum();
@@ -397,8 +407,8 @@ impl Reader<'_> {
             self.brief.facts.iter().any(|f| {
                 let place = matches!(
                     f.what,
-                    What::Place(..)
-                        | What::Rel(Rel::On | Rel::In | Rel::Under | Rel::Above | Rel::Mounted | Rel::Hang, _)
+                    FactKind::Place(..)
+                        | FactKind::Rel(Rel::On | Rel::In | Rel::Under | Rel::Above | Rel::Mounted | Rel::Hang, _)
                 );
                 f.of.contains(&i) && place
             })
@@ -406,14 +416,15 @@ impl Reader<'_> {
         let within = |at: Range<usize>| self.s.at.start <= at.start && at.end <= self.s.at.end;
         let related = |i: usize| {
             self.brief.facts.iter().any(|f| {
-                within(f.source.at()) && (f.of.contains(&i) || matches!(&f.what, What::Rel(_, to) if to.contains(&i)))
+                within(f.source.at())
+                    && (f.of.contains(&i) || matches!(&f.what, FactKind::Rel(_, to) if to.contains(&i)))
             })
         };
         // "…, a lamp stands beside the armchair": not on the desk.
         let elsewhere = |i: usize| {
             self.brief.facts.iter().any(|f| {
                 let other = |o: &usize| !to.contains(o) && !self.small(*o, &to) && !carried(*o);
-                let apart = matches!(&f.what, What::Rel(_, others) if others.iter().any(other));
+                let apart = matches!(&f.what, FactKind::Rel(_, others) if others.iter().any(other));
                 let stands = self.brief.things[i].group == Group::Floor;
                 stands && within(f.source.at()) && f.of.contains(&i) && apart
             })

@@ -19,18 +19,19 @@ impl Reader<'_> {
     /// Whether "no desk …" says where what there is must not be, and not that there is none.
     pub(super) fn limits(&self, mut chunks: Range<usize>, end: usize, np: &Np) -> bool {
         chunks.any(|k| match &self.chunks[k].piece {
-            Piece::Measure(_) => true,
-            Piece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
-                let object =
-                    |n: &Np| matches!(n.kind, Kind::Thing | Kind::Place(Place::Wall | Place::Corner | Place::Middle));
+            ChunkPiece::Measure(_) => true,
+            ChunkPiece::Rel(r) if !matches!(r, Rel::In | Rel::Of | Rel::To | Rel::From | Rel::Than) => {
+                let object = |n: &Np| {
+                    matches!(n.kind, NounKind::Thing | NounKind::Place(Place::Wall | Place::Corner | Place::Middle))
+                };
                 self.np(k + 1, end).is_some_and(object) && self.find(np).is_some()
             }
             // "no desk is in a corner", where there are desks
-            Piece::Rel(Rel::In) => {
-                let corner = |n: &Np| matches!(n.kind, Kind::Place(Place::Corner | Place::Middle));
+            ChunkPiece::Rel(Rel::In) => {
+                let corner = |n: &Np| matches!(n.kind, NounKind::Place(Place::Corner | Place::Middle));
                 self.np(k + 1, end).is_some_and(corner) && self.find(np).is_some()
             }
-            Piece::Verb(Verb::Be) => {
+            ChunkPiece::Verb(Verb::Be) => {
                 self.chunks[k].at.clone().any(|t| matches!(self.tokens[t].text.as_str(), "stand" | "be" | "placed"))
                     && self.find(np).is_some()
             }
@@ -167,7 +168,7 @@ impl Reader<'_> {
             places: None,
             look: np.look.clone(),
             size: [None; 3],
-            source: Source::Stated(at),
+            source: ThingOrigin::Stated(at),
             part: None,
         };
         thing.take_dims(&np.dims);
@@ -186,14 +187,21 @@ impl Reader<'_> {
         let last = named.iter().map(|at| at.start).max().unwrap_or(0);
         let now = own.clone().rev().find(|k| start(*k) <= last).unwrap_or(own.start).max(self.s.now);
         let ends = |k: &usize| {
-            matches!(chunks[*k].piece, Piece::Comma | Piece::Stop | Piece::Line | Piece::Open | Piece::Close)
+            matches!(
+                chunks[*k].piece,
+                ChunkPiece::Comma | ChunkPiece::Stop | ChunkPiece::Line | ChunkPiece::Open | ChunkPiece::Close
+            )
         };
         // "between the sofa and the bed" is one phrase, "a lamp on the desk and a cup on the shelf" are two.
         let joins = |k: &usize| {
-            let between =
-                chunks[own.start..*k].iter().rev().take_while(|c| !matches!(c.piece, Piece::Comma | Piece::Stop));
-            let between = between.into_iter().any(|c| matches!(c.piece, Piece::Rel(Rel::Between)));
-            chunks[*k].piece == Piece::And && !between && matches!(self.piece(*k + 1, own.end), Some(Piece::Np(_)))
+            let between = chunks[own.start..*k]
+                .iter()
+                .rev()
+                .take_while(|c| !matches!(c.piece, ChunkPiece::Comma | ChunkPiece::Stop));
+            let between = between.into_iter().any(|c| matches!(c.piece, ChunkPiece::Rel(Rel::Between)));
+            chunks[*k].piece == ChunkPiece::And
+                && !between
+                && matches!(self.piece(*k + 1, own.end), Some(ChunkPiece::Np(_)))
         };
         let starts = |k: &usize| ends(k) || joins(k) && named.iter().all(|at| at.start > start(*k));
         let first = (own.start..now).rev().find(starts).map_or(own.start, |k| k + 1);
@@ -207,7 +215,7 @@ impl Reader<'_> {
     }
 
     /// Says something of things; denied or not.
-    pub(super) fn state(&mut self, of: &[usize], what: What, soft: bool, not: bool) {
+    pub(super) fn state(&mut self, of: &[usize], what: FactKind, soft: bool, not: bool) {
         let at = self.phrase(of);
         let low = self.s.range.and_then(|range| lower_end(&what, range)).filter(|_| !not);
         for what in std::iter::once(what).chain(low) {
@@ -216,7 +224,7 @@ impl Reader<'_> {
                 not,
                 subject: self.of_all(),
                 object: self.s.quantifier,
-                ..Fact::new(of.to_vec(), what, Source::Stated(at.clone()))
+                ..Fact::new(of.to_vec(), what, ThingOrigin::Stated(at.clone()))
             });
         }
     }
@@ -249,7 +257,7 @@ impl Reader<'_> {
             _ => return None,
         };
         let rows = |f: &&Fact| {
-            matches!(f.what, What::Pattern(Pattern::Rows(_))) && self.brief.things[f.of[0]].room == self.room
+            matches!(f.what, FactKind::Pattern(Pattern::Rows(_))) && self.brief.things[f.of[0]].room == self.room
         };
         let of = self.brief.facts.iter().rev().find(rows)?.of[0];
         Some(self.brief.part(of, Pick::Row(row), self.s.at.clone()))
@@ -257,15 +265,15 @@ impl Reader<'_> {
 }
 
 /// What a range says beside its upper end.
-fn lower_end(what: &What, [least, most]: [f64; 2]) -> Option<What> {
+fn lower_end(what: &FactKind, [least, most]: [f64; 2]) -> Option<FactKind> {
     let is_most = |op: &Op, v: &f64| *op == Op::Most && *v == most;
     Some(match what {
-        What::Gap(op, v, to) if is_most(op, v) => What::Gap(Op::Least, least, to.clone()),
-        What::Wall(op, v) if is_most(op, v) => What::Wall(Op::Least, least),
-        What::Rows(op, v) if is_most(op, v) => What::Rows(Op::Least, least),
-        What::Among(op, v) if is_most(op, v) => What::Among(Op::Least, least),
-        What::Height(op, v) if is_most(op, v) => What::Height(Op::Least, least),
-        What::Size(dim, op, v) if is_most(op, v) => What::Size(*dim, Op::Least, least),
+        FactKind::Gap(op, v, to) if is_most(op, v) => FactKind::Gap(Op::Least, least, to.clone()),
+        FactKind::Wall(op, v) if is_most(op, v) => FactKind::Wall(Op::Least, least),
+        FactKind::Rows(op, v) if is_most(op, v) => FactKind::Rows(Op::Least, least),
+        FactKind::Among(op, v) if is_most(op, v) => FactKind::Among(Op::Least, least),
+        FactKind::Height(op, v) if is_most(op, v) => FactKind::Height(Op::Least, least),
+        FactKind::Size(dim, op, v) if is_most(op, v) => FactKind::Size(*dim, Op::Least, least),
         _ => return None,
     })
 }

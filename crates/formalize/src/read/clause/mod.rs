@@ -1,13 +1,13 @@
 //! Chunks → what is said: an attribute grammar that reads a sentence from left to right and carries along what it is about.
 
 use crate::brief::{
-    Brief, Dim, Fact, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Part, Pattern, Pick, Place, Quantifier, Rel,
-    Side, Source, Thing, What,
+    Brief, Dim, Fact, FactKind, Group, MOST_COUNT, MOST_THINGS, Note, Number, Op, Pattern, Pick, Place, Quantifier,
+    Rel, Side, Subset, Thing, ThingOrigin,
 };
-use crate::read::chunk::{Chunk, Piece};
+use crate::read::chunk::{Chunk, ChunkPiece};
 use crate::read::lexicon::{Class, Verb, get};
 use crate::read::measure::Measure;
-use crate::read::noun::{Det, Kind, Np, Nth};
+use crate::read::noun::{Det, NounKind, Np, Nth};
 use crate::read::rooms::Rooms;
 use crate::read::token::Token;
 use parts::part_of_it;
@@ -239,7 +239,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn piece(&self, i: usize, end: usize) -> Option<&'a Piece> {
+    fn piece(&self, i: usize, end: usize) -> Option<&'a ChunkPiece> {
         (i < end).then(|| self.chunks.get(i).map(|c| &c.piece)).flatten()
     }
 
@@ -251,8 +251,8 @@ impl<'a> Reader<'a> {
         let chunks = self.chunks;
         // "a table, and if possible a plant": what may be left out begins there, what was said before is not touched.
         let turns = |k: &usize| {
-            let joined = matches!(chunks[k - 1].piece, Piece::And | Piece::Comma);
-            chunks[*k].piece == Piece::Soft && joined && self.np(k + 1, end).is_some()
+            let joined = matches!(chunks[k - 1].piece, ChunkPiece::And | ChunkPiece::Comma);
+            chunks[*k].piece == ChunkPiece::Soft && joined && self.np(k + 1, end).is_some()
         };
         if let Some(turn) = (from + 2..end.min(chunks.len())).find(turns) {
             self.sentence(from, turn - 1);
@@ -267,8 +267,8 @@ impl<'a> Reader<'a> {
         let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
         self.s.soft = (from..end.min(chunks.len()))
             .filter(|k| !self.is_aside(*k, from, end))
-            .any(|k| chunks[k].piece == Piece::Soft || conditional(&chunks[k]));
-        self.s.keep = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Keep) | Piece::Free));
+            .any(|k| chunks[k].piece == ChunkPiece::Soft || conditional(&chunks[k]));
+        self.s.keep = words.iter().any(|c| matches!(c.piece, ChunkPiece::Verb(Verb::Keep) | ChunkPiece::Free));
         self.s.path = words.iter().any(|c| {
             c.at.clone().any(|t| {
                 matches!(
@@ -288,9 +288,9 @@ impl<'a> Reader<'a> {
                 )
             })
         });
-        self.s.doors = words.iter().any(|c| matches!(c.piece, Piece::Verb(Verb::Lead)));
+        self.s.doors = words.iter().any(|c| matches!(c.piece, ChunkPiece::Verb(Verb::Lead)));
         for c in words {
-            if c.piece == Piece::Soft {
+            if c.piece == ChunkPiece::Soft {
                 self.used[c.at.clone()].fill(true);
             }
         }
@@ -347,12 +347,14 @@ impl<'a> Reader<'a> {
     /// twelve chairs" asks for the chairs.
     fn is_aside(&self, soft: usize, from: usize, end: usize) -> bool {
         let chunks = &self.chunks[..end.min(self.chunks.len())];
-        if chunks[soft].piece != Piece::Soft || chunks.get(soft + 1).is_none_or(|c| c.piece != Piece::Comma) {
+        if chunks[soft].piece != ChunkPiece::Soft || chunks.get(soft + 1).is_none_or(|c| c.piece != ChunkPiece::Comma) {
             return false;
         }
-        let Some(comma) = (from + 1..soft).rev().find(|k| chunks[*k].piece == Piece::Comma) else { return false };
+        let Some(comma) = (from + 1..soft).rev().find(|k| chunks[*k].piece == ChunkPiece::Comma) else { return false };
         comma + 1 < soft
-            && chunks[comma + 1..soft].iter().all(|c| matches!(c.piece, Piece::Np(_) | Piece::Attr(_) | Piece::Word(_)))
+            && chunks[comma + 1..soft]
+                .iter()
+                .all(|c| matches!(c.piece, ChunkPiece::Np(_) | ChunkPiece::Attr(_) | ChunkPiece::Word(_)))
     }
 
     fn room_look(&mut self, room: usize, np: &Np) {
@@ -400,25 +402,25 @@ impl<'a> Reader<'a> {
             return next;
         }
         match &chunks[i].piece {
-            Piece::Np(np) => self.on_np(i, end, np),
-            Piece::Rel(rel) => self.on_rel(i, end, *rel),
-            Piece::ToIts(rel) => {
+            ChunkPiece::Np(np) => self.on_np(i, end, np),
+            ChunkPiece::Rel(rel) => self.on_rel(i, end, *rel),
+            ChunkPiece::ToIts(rel) => {
                 self.mark(i);
                 self.on_its(i, end, *rel);
                 i + 1
             }
-            Piece::Verb(Verb::Have) if self.has_part(i, end) => self.with_part(i, end),
-            Piece::Verb(Verb::Carry) if self.draped(i, end) => {
+            ChunkPiece::Verb(Verb::Have) if self.has_part(i, end) => self.with_part(i, end),
+            ChunkPiece::Verb(Verb::Carry) if self.draped(i, end) => {
                 self.mark(i + 1);
                 i + 2
             }
-            Piece::Verb(verb) => {
+            ChunkPiece::Verb(verb) => {
                 self.on_verb(i, end, *verb);
                 i + 1
             }
-            Piece::Measure(m) => self.on_measure(i, end, m),
-            Piece::With => self.on_with(i, end),
-            Piece::Attr(look) => {
+            ChunkPiece::Measure(m) => self.on_measure(i, end, m),
+            ChunkPiece::With => self.on_with(i, end),
+            ChunkPiece::Attr(look) => {
                 let target = self.near.clone();
                 if target.is_empty() && self.s.of_room {
                     self.mark(i);
@@ -428,40 +430,46 @@ impl<'a> Reader<'a> {
                 }
                 i + 1
             }
-            Piece::Pattern(pattern) => self.on_pattern(i, *pattern),
-            Piece::Which if self.relative(i, end) => i + 1,
-            Piece::Comma | Piece::Which => {
-                if !self.main.is_empty() && !matches!(self.piece(i + 1, end), Some(Piece::Attr(_) | Piece::Measure(_)))
+            ChunkPiece::Pattern(pattern) => self.on_pattern(i, *pattern),
+            ChunkPiece::Which if self.relative(i, end) => i + 1,
+            ChunkPiece::Comma | ChunkPiece::Which => {
+                if !self.main.is_empty()
+                    && !matches!(self.piece(i + 1, end), Some(ChunkPiece::Attr(_) | ChunkPiece::Measure(_)))
                 {
                     self.near = self.main.clone();
                 }
-                if chunks[i].piece == Piece::Comma {
+                if chunks[i].piece == ChunkPiece::Comma {
                     self.s.not = false;
                 }
                 i + 1
             }
-            Piece::Colon => self.on_colon(i, end),
-            Piece::Open | Piece::Close | Piece::And | Piece::Bullet | Piece::Line | Piece::Stop => i + 1,
-            Piece::There => {
+            ChunkPiece::Colon => self.on_colon(i, end),
+            ChunkPiece::Open
+            | ChunkPiece::Close
+            | ChunkPiece::And
+            | ChunkPiece::Bullet
+            | ChunkPiece::Line
+            | ChunkPiece::Stop => i + 1,
+            ChunkPiece::There => {
                 self.s.expect = Expect::Nothing;
                 i + 1
             }
-            Piece::Not => {
+            ChunkPiece::Not => {
                 let nothing = self.tokens[chunks[i].at.start].is("nothing");
                 self.s.nothing |= nothing;
                 self.s.not = !nothing;
                 self.mark(i);
                 i + 1
             }
-            Piece::Apart => {
+            ChunkPiece::Apart => {
                 self.mark(i);
                 if let Some(m) = self.s.pending.take() {
                     if self.s.rows { self.rows(&m) } else { self.among(&m) }
                 }
                 i + 1
             }
-            Piece::Free => self.on_free(i, end),
-            Piece::Soft | Piece::Word(_) => self.on_word(i, end),
+            ChunkPiece::Free => self.on_free(i, end),
+            ChunkPiece::Soft | ChunkPiece::Word(_) => self.on_word(i, end),
         }
     }
 
@@ -470,7 +478,7 @@ impl<'a> Reader<'a> {
         let chunks = self.chunks;
         self.mark(i);
         // "two cabins with curtains, side by side": of the cabins, and what comes next is not with them.
-        if i > 0 && chunks[i - 1].piece == Piece::Comma && matches!(self.s.expect, Expect::With(..)) {
+        if i > 0 && chunks[i - 1].piece == ChunkPiece::Comma && matches!(self.s.expect, Expect::With(..)) {
             self.s.expect = Expect::Nothing;
             self.near = self.main.clone();
         }
@@ -505,7 +513,7 @@ impl<'a> Reader<'a> {
         let listed = two && self.s.owned.len() > 1 && self.s.owned.ends_with(&of);
         let of = if listed { self.s.owned.clone() } else { of };
         let soft = self.s.soft;
-        self.state(&of, What::Pattern(pattern), soft, false);
+        self.state(&of, FactKind::Pattern(pattern), soft, false);
         i + 1
     }
 
@@ -517,12 +525,13 @@ impl<'a> Reader<'a> {
             self.s.expect = Expect::Nothing;
         }
         // "each desk: a lamp, two pens": that is what each has.
-        let listed = self.np(i + 1, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::Definite);
+        let listed = self.np(i + 1, end).is_some_and(|np| np.kind == NounKind::Thing && np.det != Det::Definite);
         if listed && self.s.each && self.s.subject && !self.s.verb && self.main.len() == 1 {
             self.s.expect = Expect::With(self.main.clone(), Join::Usual);
             return i + 1;
         }
-        let alone = !matches!(self.piece(i + 2, end), Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_)));
+        let alone =
+            !matches!(self.piece(i + 2, end), Some(ChunkPiece::Rel(_) | ChunkPiece::ToIts(_) | ChunkPiece::Verb(_)));
         if let (Some(n), true) = (self.number_at(i + 1, end), alone && self.near.len() == 1) {
             let item = &mut self.brief.things[self.near[0]];
             if item.number.many() {
@@ -538,8 +547,10 @@ impl<'a> Reader<'a> {
     fn on_word(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
         // "stools, two at each bench"
-        let owner = self.np(i + 2, end).filter(|np| np.det == Det::Each && np.kind == Kind::Thing);
-        if let (Some(n), Some(Piece::Rel(_)), Some(owner)) = (self.number_at(i, end), self.piece(i + 1, end), owner) {
+        let owner = self.np(i + 2, end).filter(|np| np.det == Det::Each && np.kind == NounKind::Thing);
+        if let (Some(n), Some(ChunkPiece::Rel(_)), Some(owner)) =
+            (self.number_at(i, end), self.piece(i + 1, end), owner)
+        {
             self.s.one = true;
             let owner = self.find(owner);
             let of = self.main.last().copied().filter(|o| Some(*o) != owner);
@@ -564,7 +575,7 @@ impl<'a> Reader<'a> {
             }
         }
         // "carts stand by the door, ten in a row"
-        if let (Some(n), Some(Piece::Pattern(_)), [item]) =
+        if let (Some(n), Some(ChunkPiece::Pattern(_)), [item]) =
             (self.number_at(i, end), self.piece(i + 1, end), self.main.as_slice())
         {
             let item = &mut self.brief.things[*item];
@@ -578,7 +589,7 @@ impl<'a> Reader<'a> {
             matches!(self.tokens[chunks[i].at.start].text.as_str(), "center" | "centre" | "centred" | "centered");
         match self.tokens[chunks[i].at.start].text.as_str() {
             // "stands centrally", but "centrally against the wall"
-            "centrally" | "centred" | "centered" if !matches!(self.piece(i + 1, end), Some(Piece::Rel(_))) => {
+            "centrally" | "centred" | "centered" if !matches!(self.piece(i + 1, end), Some(ChunkPiece::Rel(_))) => {
                 let of = if self.main.is_empty() { self.near.clone() } else { self.main.clone() };
                 match self.s.frame.clone() {
                     // "On the desk a monitor is centred": on the desk.
@@ -589,7 +600,7 @@ impl<'a> Reader<'a> {
             }
             // "forget the carpet"
             "forget" | "scrap" | "skip" | "omit" | "cancel" | "remove" | "delete" => {
-                let np = self.np(i + 1, end).filter(|np| np.kind == Kind::Thing);
+                let np = self.np(i + 1, end).filter(|np| np.kind == NounKind::Thing);
                 if let Some(np) = np {
                     self.gone.extend(self.find(np));
                     let at = self.bytes(i + 1..i + 2);
@@ -613,7 +624,7 @@ impl<'a> Reader<'a> {
         let first = self.tokens.get(at).filter(|t| t.is("either"))?;
         let next = self.tokens.get(at + 1)?;
         let new = next.is("a") || next.is("an") || super::number::count(std::slice::from_ref(next)).is_some();
-        let to = (i + 1..end).find(|k| self.chunks[*k].piece == Piece::Comma).unwrap_or(end);
+        let to = (i + 1..end).find(|k| self.chunks[*k].piece == ChunkPiece::Comma).unwrap_or(end);
         let or = self.tokens[at..self.chunks.get(to.checked_sub(1)?)?.at.end].iter().any(|t| t.is("or"));
         (first.word() && new && or).then_some(to)
     }
@@ -656,8 +667,11 @@ impl<'a> Reader<'a> {
         if i > 0 && self.last_listed(i - 1).is_some() {
             return self.near.clone();
         }
-        let after_comma =
-            i > 0 && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::Which | Piece::Verb(_) | Piece::And);
+        let after_comma = i > 0
+            && matches!(
+                self.chunks[i - 1].piece,
+                ChunkPiece::Comma | ChunkPiece::Which | ChunkPiece::Verb(_) | ChunkPiece::And
+            );
         let owned = matches!(self.s.expect, Expect::With(..));
         if self.s.each && !owned || after_comma && !self.main.is_empty() || self.near.is_empty() {
             if self.main.is_empty() { self.before.clone() } else { self.main.clone() }

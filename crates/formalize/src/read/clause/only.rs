@@ -10,17 +10,23 @@ impl Reader<'_> {
         let before = self.chunks[i].at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
         let counts = self.chunks[i].np().is_some();
         let there = i > self.s.chunks.start
-            && matches!(self.chunks[i - 1].piece, Piece::With | Piece::There | Piece::Verb(Verb::Have))
+            && matches!(self.chunks[i - 1].piece, ChunkPiece::With | ChunkPiece::There | ChunkPiece::Verb(Verb::Have))
             && self.np(i + 1, end).is_some();
         // "I only need a desk with a lamp", "one door only"
-        let need = matches!(self.piece(i + 1, end), Some(Piece::Verb(Verb::Be | Verb::Have)))
-            && self.np(i + 2, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::Definite);
-        let stops = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+        let need = matches!(self.piece(i + 1, end), Some(ChunkPiece::Verb(Verb::Be | Verb::Have)))
+            && self.np(i + 2, end).is_some_and(|np| np.kind == NounKind::Thing && np.det != Det::Definite);
+        let stops = |k: &usize| self.chunks[*k].piece == ChunkPiece::Comma;
         let from = (self.s.chunks.start..i).rev().find(stops).unwrap_or(self.s.chunks.start);
         let to = (i + 1..end).find(stops).unwrap_or(end);
         let relates = |c: &Chunk| {
-            matches!(c.piece, Piece::Rel(_) | Piece::ToIts(_) | Piece::Pattern(_) | Piece::With | Piece::Measure(_))
-                || matches!(c.piece, Piece::Verb(verb) if !matches!(verb, Verb::Be | Verb::Lead))
+            matches!(
+                c.piece,
+                ChunkPiece::Rel(_)
+                    | ChunkPiece::ToIts(_)
+                    | ChunkPiece::Pattern(_)
+                    | ChunkPiece::With
+                    | ChunkPiece::Measure(_)
+            ) || matches!(c.piece, ChunkPiece::Verb(verb) if !matches!(verb, Verb::Be | Verb::Lead))
         };
         let there = there || need || !self.chunks[from..to].iter().any(relates);
         !counts && !there && !matches!(before, "not" | "the") && self.some_only(i, end).is_none()
@@ -28,7 +34,7 @@ impl Reader<'_> {
 
     /// "Only the first desk …": which of several, as they are called.
     pub(super) fn some_only(&self, i: usize, end: usize) -> Option<&Np> {
-        let np = self.np(i + 1, end).filter(|np| np.nth.is_some() && np.kind == Kind::Thing)?;
+        let np = self.np(i + 1, end).filter(|np| np.nth.is_some() && np.kind == NounKind::Thing)?;
         let several = |f: usize| {
             let number = self.brief.things[f].number;
             number.said().is_some() || number.follows()
@@ -71,10 +77,10 @@ impl Reader<'_> {
     /// ("only a bed near the window"), and in a home of several rooms nothing says which it is said of: it stays a note.
     pub(super) fn nothing_else(&mut self, from: usize, end: usize, first: usize) {
         let Some(only) = (from + 1..end).find(|i| self.tokens[self.chunks[*i].at.start].is("only")) else { return };
-        let is_room = |i: usize| self.np(i, end).is_some_and(|np| np.kind == Kind::Room);
+        let is_room = |i: usize| self.np(i, end).is_some_and(|np| np.kind == NounKind::Room);
         let said_of_room = match self.chunks[only - 1].piece {
-            Piece::With | Piece::Verb(Verb::Have) => only >= from + 2 && is_room(only - 2),
-            Piece::There => only == from + 1,
+            ChunkPiece::With | ChunkPiece::Verb(Verb::Have) => only >= from + 2 && is_room(only - 2),
+            ChunkPiece::There => only == from + 1,
             _ => false,
         };
         let new = self.brief.things.get(first..).unwrap_or_default();
@@ -82,7 +88,7 @@ impl Reader<'_> {
         let Some(room) = new.first().map(|thing| thing.room) else { return };
         let together = new.iter().all(|thing| thing.room == room);
         let home = self.brief.rooms.get(room).is_none_or(|room| crate::read::several::is_home(&room.name));
-        let word = matches!(self.chunks[only].piece, Piece::Word(_));
+        let word = matches!(self.chunks[only].piece, ChunkPiece::Word(_));
         if said_of_room && word && furniture && together && !home && !self.s.soft && self.lists(only + 1, end) {
             self.brief.rooms[room].only = true;
             self.mark(only);
@@ -91,29 +97,29 @@ impl Reader<'_> {
 
     /// Whether these chunks name things, and at most the room that they are in.
     fn lists(&self, from: usize, end: usize) -> bool {
-        let within = |i: &usize| self.piece(*i, end) == Some(&Piece::Rel(Rel::In));
+        let within = |i: &usize| self.piece(*i, end) == Some(&ChunkPiece::Rel(Rel::In));
         let to = (from..end).find(within).unwrap_or(end);
         let listed = (from..to).all(|i| match &self.chunks[i].piece {
-            Piece::Np(np) => np.kind == Kind::Thing && np.det != Det::Definite,
-            Piece::And | Piece::Comma => true,
+            ChunkPiece::Np(np) => np.kind == NounKind::Thing && np.det != Det::Definite,
+            ChunkPiece::And | ChunkPiece::Comma => true,
             _ => false,
         });
-        let room = |np: &Np| np.kind == Kind::Room || np.kind == Kind::Pronoun;
+        let room = |np: &Np| np.kind == NounKind::Room || np.kind == NounKind::Pronoun;
         listed && from < to && (to == end || to + 2 == end && self.np(to + 1, end).is_some_and(room))
     }
 
     /// A fact of some things, denied of the others of their kind. `None`: it cannot be denied.
     fn denied_of_others(&mut self, fact: &Fact, part: usize) -> Option<Vec<Fact>> {
-        let at_place = matches!(&fact.what, What::Place(rel, place, which)
+        let at_place = matches!(&fact.what, FactKind::Place(rel, place, which)
             if matches!(place, Place::Wall | Place::Corner | Place::Middle)
                 && which.iter().all(|which| which == "each")
                 && matches!(rel, Rel::At | Rel::Against | Rel::In | Rel::On | Rel::Along));
         let objects: &[usize] = match &fact.what {
-            What::Rel(_, to) => to,
+            FactKind::Rel(_, to) => to,
             _ if at_place => &[],
             _ => return None,
         };
-        let Part { of, pick } = self.brief.things[part].part.clone()?;
+        let Subset { of, pick } = self.brief.things[part].part.clone()?;
         let all = self.brief.count(of);
         let (from, n) = match pick {
             Pick::Run(from, n) => (from, n),
@@ -134,8 +140,8 @@ impl Reader<'_> {
             let other = self.brief.part(of, pick, at.clone());
             let turned = match (fact.of.as_slice(), &fact.what) {
                 ([one], _) if *one == part => Fact { of: vec![other], ..fact.clone() },
-                (_, What::Rel(rel, _)) if objects == [part] => {
-                    Fact { what: What::Rel(*rel, vec![other]), ..fact.clone() }
+                (_, FactKind::Rel(rel, _)) if objects == [part] => {
+                    Fact { what: FactKind::Rel(*rel, vec![other]), ..fact.clone() }
                 }
                 _ => return None,
             };

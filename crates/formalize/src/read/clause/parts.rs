@@ -47,7 +47,7 @@ impl Reader<'_> {
         let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
         let with_back = self.np(i + 1, end).is_some_and(|n| {
             !self.near.is_empty() && part_of_it(n)
-                || n.kind == Kind::Thing
+                || n.kind == NounKind::Thing
                     && n.count.is_none()
                     && (get().part(&n.head())
                         || !n.known && n.det == Det::None && n.many
@@ -59,7 +59,7 @@ impl Reader<'_> {
         if !with_back && !self.near.is_empty() {
             let owner = self.bearer(self.near.clone(), i + 1, end);
             // "speakers in the corners, with a screen on the wall": one screen.
-            self.s.together = i > 0 && chunks[i - 1].piece == Piece::Comma;
+            self.s.together = i > 0 && chunks[i - 1].piece == ChunkPiece::Comma;
             self.s.expect = Expect::With(owner, Join::Usual);
         } else if with_back {
             return self.with_part(i, end);
@@ -69,17 +69,17 @@ impl Reader<'_> {
 
     /// Whether what stands here says where the noun before it is: so that is no part of another.
     pub(super) fn relates_after(&self, k: usize, end: usize) -> bool {
-        let of = matches!(self.piece(k, end), Some(Piece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
+        let of = matches!(self.piece(k, end), Some(ChunkPiece::Rel(Rel::Of))) && self.np(k + 1, end).is_some();
         let k = if of { k + 2 } else { k };
         match self.piece(k, end) {
             // "with a shade hanging over it", but "a mobile with stars hangs from the ceiling"
-            Some(Piece::Rel(rel)) => {
+            Some(ChunkPiece::Rel(rel)) => {
                 let finite = self.tokens[self.chunks[k].at.start].text.ends_with('s');
                 !finite && !matches!(rel, Rel::Of | Rel::In | Rel::On | Rel::At | Rel::Against)
             }
-            Some(Piece::ToIts(_)) => true,
+            Some(ChunkPiece::ToIts(_)) => true,
             // "a rail of pans hanging above it", but "a mobile with stars hangs"
-            Some(Piece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),
+            Some(ChunkPiece::Verb(Verb::Hang)) => !self.tokens[self.chunks[k].at.start].is("hangs"),
             _ => false,
         }
     }
@@ -88,7 +88,10 @@ impl Reader<'_> {
     pub(super) fn part_here(&self, from: usize, end: usize) -> Option<usize> {
         let first = self.chunks.get(from).filter(|_| from < end)?.at.start;
         let to = (from..end).find(|k| {
-            matches!(self.chunks[*k].piece, Piece::Comma | Piece::Close | Piece::Stop | Piece::Line | Piece::And)
+            matches!(
+                self.chunks[*k].piece,
+                ChunkPiece::Comma | ChunkPiece::Close | ChunkPiece::Stop | ChunkPiece::Line | ChunkPiece::And
+            )
         });
         let to = to.unwrap_or(end);
         let tokens = &self.tokens[first..self.chunks.get(to.checked_sub(1)?)?.at.end];
@@ -124,8 +127,10 @@ impl Reader<'_> {
     pub(super) fn draped(&mut self, i: usize, end: usize) -> bool {
         let dressed = matches!(self.tokens[self.chunks[i].at.start].text.as_str(), "draped" | "dressed" | "lined");
         let cloth = match self.piece(i + 1, end) {
-            Some(Piece::Attr(_)) => true,
-            Some(Piece::Np(np)) => !np.known && np.det == Det::None && np.count.is_none() && np.kind == Kind::Thing,
+            Some(ChunkPiece::Attr(_)) => true,
+            Some(ChunkPiece::Np(np)) => {
+                !np.known && np.det == Det::None && np.count.is_none() && np.kind == NounKind::Thing
+            }
             _ => false,
         };
         let Some(last) = self.near.last().copied().filter(|_| dressed && cloth) else { return false };
@@ -142,12 +147,12 @@ impl Reader<'_> {
         let mut to = from;
         while to < end
             && (to == from
-                || matches!(self.chunks[to].piece, Piece::And | Piece::Attr(_))
+                || matches!(self.chunks[to].piece, ChunkPiece::And | ChunkPiece::Attr(_))
                 || self.np(to, end).is_some_and(|n| get().part(&n.head())))
         {
             to += 1;
         }
-        while to > from + 1 && self.chunks[to - 1].piece == Piece::And {
+        while to > from + 1 && self.chunks[to - 1].piece == ChunkPiece::And {
             to -= 1;
         }
         // "with its back to a wall" is a relation.
@@ -169,11 +174,11 @@ pub(super) fn part_of_it(np: &Np) -> bool {
     const COUNTED: [&str; 8] = ["drawer", "leg", "wheel", "castor", "compartment", "handle", "cubby", "knob"];
     let head = np.head();
     match np.kind {
-        Kind::Thing if np.look.features.iter().any(|f| BUILT_IN.contains(&f.as_str())) => {
+        NounKind::Thing if np.look.features.iter().any(|f| BUILT_IN.contains(&f.as_str())) => {
             np.count.is_none_or(|n| n == 1)
         }
-        Kind::Thing => get().part(&head) && (np.count.is_none() || COUNTED.contains(&head.as_str())),
-        Kind::Abstract => {
+        NounKind::Thing => get().part(&head) && (np.count.is_none() || COUNTED.contains(&head.as_str())),
+        NounKind::Abstract => {
             get().part(&head) && np.count.is_none() && np.look != crate::draft::Look::default() && np.det != Det::Own
         }
         _ => false,

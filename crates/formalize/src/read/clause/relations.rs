@@ -29,7 +29,7 @@ impl Reader<'_> {
         let said_of = self.subject(i);
         let reduced = i > 0 && self.reduced(i - 1).is_some();
         let Some((object, next)) = self.object(i + 1, end, rel) else {
-            if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == Kind::Abstract) {
+            if rel == Rel::Between && self.np(i + 1, end).is_some_and(|n| n.kind == NounKind::Abstract) {
                 // "between the rows"
                 match self.s.pending.take() {
                     Some(m) => {
@@ -83,7 +83,7 @@ impl Reader<'_> {
             && let Some(m) = self.s.pending.take()
         {
             // "90 cm between the counter and the wall"
-            self.say(items, What::Wall(min_if_keep(&m, self.s.keep), m.values[0]));
+            self.say(items, FactKind::Wall(min_if_keep(&m, self.s.keep), m.values[0]));
             (i..next + 2).for_each(|k| self.mark(k));
             return next + 2;
         }
@@ -98,14 +98,14 @@ impl Reader<'_> {
 
     /// "… and the wall".
     fn wall_next(&self, next: usize, end: usize) -> bool {
-        let wall = self.np(next + 1, end).is_some_and(|np| np.kind == Kind::Place(Place::Wall));
-        wall && self.piece(next, end) == Some(&Piece::And)
+        let wall = self.np(next + 1, end).is_some_and(|np| np.kind == NounKind::Place(Place::Wall));
+        wall && self.piece(next, end) == Some(&ChunkPiece::And)
     }
 
     /// Where a word of a relation says something else than how two things stand to each other; the next chunk.
     fn not_of_two(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
         // "in dark green felt"
-        if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(Piece::Attr(_))) {
+        if matches!(rel, Rel::In | Rel::Of) && matches!(self.piece(i + 1, end), Some(ChunkPiece::Attr(_))) {
             return Some(i + 1);
         }
         let chunks = self.chunks;
@@ -137,7 +137,10 @@ impl Reader<'_> {
         let participle = words.len() == 2 && words[0].text.ends_with("ed") || words.len() == 2 && words[0].is("hung");
         let alone = adverb
             && (words.len() == 1 || participle)
-            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::And | Piece::Verb(Verb::Hang)));
+            && matches!(
+                self.piece(i + 1, end),
+                None | Some(ChunkPiece::Comma | ChunkPiece::And | ChunkPiece::Verb(Verb::Hang))
+            );
         if alone && self.s.pending.is_none() {
             self.mark(i);
             self.on_its(i, end, rel);
@@ -178,7 +181,7 @@ impl Reader<'_> {
             }
             if negative {
                 let soft = self.s.soft;
-                self.state(&of, What::Rel(rel, items), soft, true);
+                self.state(&of, FactKind::Rel(rel, items), soft, true);
             } else {
                 let rel = if self.sides(i) && rel == Rel::Beside {
                     self.double();
@@ -204,8 +207,8 @@ impl Reader<'_> {
         if let Some(m) = self.s.pending.take() {
             match place {
                 Place::Row => self.rows(&m),
-                Place::Floor => self.say(&of, What::Height(m.op, m.values[0])),
-                _ => self.say(&of, What::Wall(flip(&m, self.s.nothing || negative), m.values[0])),
+                Place::Floor => self.say(&of, FactKind::Height(m.op, m.values[0])),
+                _ => self.say(&of, FactKind::Wall(flip(&m, self.s.nothing || negative), m.values[0])),
             }
         } else if before_subject || of.is_empty() || self.preposed(i, next, end) {
             self.s.lead.push((rel, Lead::Place(place, which)));
@@ -224,7 +227,7 @@ impl Reader<'_> {
                 }
                 _ => of,
             };
-            let of_room = self.np(next - 1, end).is_some_and(|np| np.kind == Kind::Room);
+            let of_room = self.np(next - 1, end).is_some_and(|np| np.kind == NounKind::Room);
             if place == Place::Middle && which.is_empty() && !of_room && self.middle_of_carrier(&of) {
                 return;
             }
@@ -241,7 +244,7 @@ impl Reader<'_> {
         let known = matches!(place, Place::Wall | Place::Corner | Place::Middle);
         if any && there && stands && known {
             let soft = self.s.soft;
-            return self.state(of, What::Place(rel, place, Vec::new()), soft, true);
+            return self.state(of, FactKind::Place(rel, place, Vec::new()), soft, true);
         }
         let reason = "no statement says that something is not in this place".to_owned();
         self.brief.notes.push(Note { at: self.bytes(chunks.clone()), reason });
@@ -265,7 +268,7 @@ impl Reader<'_> {
         let Some(owner) = owner.filter(carries).cloned() else { return false };
         let one = |o: usize| self.brief.count(o) == 1 && !self.brief.things[o].number.many();
         let rel = if one(owner[0]) && of.len() == 1 && one(of[0]) { Rel::Centre } else { Rel::On };
-        let said = |f: &Fact| f.of == of && matches!(&f.what, What::Rel(Rel::On, to) if *to == owner);
+        let said = |f: &Fact| f.of == of && matches!(&f.what, FactKind::Rel(Rel::On, to) if *to == owner);
         if rel == Rel::Centre || !self.brief.facts.iter().any(said) {
             self.drop_usual(of);
             self.relate(of, rel, &owner);
@@ -291,7 +294,7 @@ impl Reader<'_> {
     pub(super) fn object(&mut self, from: usize, end: usize, rel: Rel) -> Option<(Lead, usize)> {
         let chunks = self.chunks;
         let mut k = from;
-        while matches!(self.piece(k, end), Some(Piece::Word(false) | Piece::Soft))
+        while matches!(self.piece(k, end), Some(ChunkPiece::Word(false) | ChunkPiece::Soft))
             && !self.tokens[chunks[k].at.start].is("so")
         {
             k += 1;
@@ -300,15 +303,15 @@ impl Reader<'_> {
         // "on the lid of a chest", "on the surface of the desk"
         if get().is(&np.head(), Class::Surface)
             && np.words.len() == 1
-            && matches!(self.piece(k + 1, end), Some(Piece::Rel(Rel::Of)))
-            && self.np(k + 2, end).is_some_and(|n| matches!(n.kind, Kind::Thing | Kind::Pronoun))
+            && matches!(self.piece(k + 1, end), Some(ChunkPiece::Rel(Rel::Of)))
+            && self.np(k + 2, end).is_some_and(|n| matches!(n.kind, NounKind::Thing | NounKind::Pronoun))
         {
             self.mark(k);
             return self.object(k + 2, end, rel);
         }
         // "books on its top shelf": in what has shelves.
         let within = np.det == Det::Own && matches!(np.head().as_str(), "shelf" | "tier" | "compartment");
-        if within && np.kind == Kind::Thing && matches!(rel, Rel::On | Rel::In) {
+        if within && np.kind == NounKind::Thing && matches!(rel, Rel::On | Rel::In) {
             let items = self.their("it", false);
             if items.iter().any(|o| self.brief.things[*o].group == Group::Storage) {
                 self.mark(k);
@@ -322,8 +325,8 @@ impl Reader<'_> {
             return Some((Lead::Items(items, false), k + 1));
         }
         match np.kind {
-            Kind::Thing => self.things_object(k, end, rel, np),
-            Kind::Pronoun => {
+            NounKind::Thing => self.things_object(k, end, rel, np),
+            NounKind::Pronoun => {
                 let word = np.words.first().map_or("", String::as_str);
                 let contrast = self.other_side(rel).filter(|_| word == "it");
                 // "A desk stands under the window. On its surface …": of the desk.
@@ -338,14 +341,14 @@ impl Reader<'_> {
                 self.mark(k);
                 Some((Lead::Items(items, np.det == Det::Each || word == "each"), k + 1))
             }
-            Kind::Room => self.room_object(k, rel),
-            Kind::Place(Place::Row) if self.row(np).is_some() => {
+            NounKind::Room => self.room_object(k, rel),
+            NounKind::Place(Place::Row) if self.row(np).is_some() => {
                 self.mark(k);
                 let part = self.row(np)?;
                 Some((Lead::Items(vec![part], false), k + 1))
             }
             // "at its foot", "by its side"
-            Kind::Place(
+            NounKind::Place(
                 place @ (Place::Middle
                 | Place::Foot
                 | Place::Head
@@ -365,12 +368,12 @@ impl Reader<'_> {
                 });
                 Some((Lead::Items(items, false), k + 1))
             }
-            Kind::Place(place) => {
+            NounKind::Place(place) => {
                 self.mark(k);
                 Some(self.place_object(k, end, rel, place, np))
             }
             // "on its cushioned top": on it, and a look of it.
-            Kind::Abstract if np.det == Det::Own && get().is(&np.head(), Class::Surface) => {
+            NounKind::Abstract if np.det == Det::Own && get().is(&np.head(), Class::Surface) => {
                 let items = self.their("it", false);
                 let last = *items.last()?;
                 let words = self.tokens[self.chunks[k].at.clone()].iter().skip(1);
@@ -379,7 +382,7 @@ impl Reader<'_> {
                 self.mark(k);
                 Some((Lead::Items(items, false), k + 1))
             }
-            Kind::Abstract => {
+            NounKind::Abstract => {
                 let id = self.collective(np)?;
                 self.mark(k);
                 Some((Lead::Items(vec![id], false), k + 1))
@@ -456,9 +459,9 @@ impl Reader<'_> {
             which.push("each".into());
         }
         let mut next = k + 1;
-        if matches!(self.piece(next, end), Some(Piece::Rel(Rel::Of))) {
+        if matches!(self.piece(next, end), Some(ChunkPiece::Rel(Rel::Of))) {
             match self.np(next + 1, end).map(|n| (n.kind, n)) {
-                Some((Kind::Room, np)) => {
+                Some((NounKind::Room, np)) => {
                     if let Some(room) = self.rooms.spoken.get(&(next + 1)).copied() {
                         self.room_look(room, np);
                         self.s.rooms.push(room);
@@ -470,7 +473,7 @@ impl Reader<'_> {
                     self.mark(next + 1);
                     next += 2;
                 }
-                Some((Kind::Thing, np))
+                Some((NounKind::Thing, np))
                     if !matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor) =>
                 {
                     if let Some(id) = self.resolve(next + 1, np, true) {
@@ -506,20 +509,22 @@ impl Reader<'_> {
                     }
                 }
                 // "in the middle of the wall": at the wall.
-                Some((Kind::Place(Place::Wall), np)) if matches!(place, Place::Middle | Place::End | Place::Side) => {
+                Some((NounKind::Place(Place::Wall), np))
+                    if matches!(place, Place::Middle | Place::End | Place::Side) =>
+                {
                     self.mark(next);
                     self.mark(next + 1);
                     return (Lead::Place(Place::Wall, np.which.clone()), next + 2);
                 }
                 // "in the middle of it": of the room spoken of.
-                Some((Kind::Pronoun, np))
+                Some((NounKind::Pronoun, np))
                     if self.about_room && !self.s.subject && np.words.first().is_some_and(|w| w == "it") =>
                 {
                     self.mark(next);
                     self.mark(next + 1);
                     next += 2;
                 }
-                Some((Kind::Pronoun, np)) => {
+                Some((NounKind::Pronoun, np)) => {
                     let items = self.their(np.words.first().map_or("", String::as_str), np.det == Det::Each);
                     self.mark(next + 1);
                     if !items.is_empty()
@@ -548,7 +553,7 @@ impl Reader<'_> {
         if !matches!(np.words.last()?.as_str(), "island" | "block" | "cluster" | "group" | "pod" | "pair" | "bank") {
             return None;
         }
-        let of = matches!(self.piece(i + 2, end), Some(Piece::Rel(Rel::Of)));
+        let of = matches!(self.piece(i + 2, end), Some(ChunkPiece::Rel(Rel::Of)));
         let each = if of { self.number_at(i + 3, end) } else { None };
         if let (Some(each), [item]) = (each, self.main.as_slice()) {
             let item = &mut self.brief.things[*item];
@@ -583,9 +588,9 @@ impl Reader<'_> {
             (Rel::InFrontOf | Rel::Behind | Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Around, _) => {
                 self.clear(items, rel, CLEAR)
             }
-            (Rel::Near | Rel::Beside | Rel::At, _) => self.say(items, What::Alone(0.5)),
+            (Rel::Near | Rel::Beside | Rel::At, _) => self.say(items, FactKind::Alone(0.5)),
             (Rel::Between, [a, rest @ ..]) if !rest.is_empty() => {
-                self.say(&[*a], What::Rel(Rel::Visible, rest.to_vec()))
+                self.say(&[*a], FactKind::Rel(Rel::Visible, rest.to_vec()))
             }
             _ => self.chunks[i].at.clone().for_each(|t| self.used[t] = false),
         }
@@ -594,23 +599,24 @@ impl Reader<'_> {
     pub(super) fn measure_follows(&self, from: usize, end: usize) -> bool {
         self.chunks[from..end]
             .iter()
-            .take_while(|c| c.piece != Piece::Comma)
-            .any(|c| matches!(c.piece, Piece::Measure(_)))
+            .take_while(|c| c.piece != ChunkPiece::Comma)
+            .any(|c| matches!(c.piece, ChunkPiece::Measure(_)))
     }
 
     /// "…, and behind it a mirror hangs": a relation that its subject follows.
     pub(super) fn preposed(&self, i: usize, next: usize, end: usize) -> bool {
         let joins = |c: &Chunk| {
-            matches!(c.piece, Piece::And | Piece::Comma)
+            matches!(c.piece, ChunkPiece::And | ChunkPiece::Comma)
                 || matches!(self.tokens[c.at.start].text.as_str(), "while" | "but")
         };
         let joined = i > 0 && joins(&self.chunks[i - 1]);
-        let after = if matches!(self.piece(next, end), Some(Piece::Verb(Verb::Be | Verb::Hang) | Piece::There)) {
-            next + 1
-        } else {
-            next
-        };
-        let fresh = |n: &Np| n.kind == Kind::Thing && matches!(n.det, Det::Indefinite | Det::Number | Det::None);
+        let after =
+            if matches!(self.piece(next, end), Some(ChunkPiece::Verb(Verb::Be | Verb::Hang) | ChunkPiece::There)) {
+                next + 1
+            } else {
+                next
+            };
+        let fresh = |n: &Np| n.kind == NounKind::Thing && matches!(n.det, Det::Indefinite | Det::Number | Det::None);
         joined && self.np(after, end).is_some_and(fresh)
     }
 
@@ -635,15 +641,17 @@ impl Reader<'_> {
 
     /// Another object after "and": a definite one, or anything where two are needed.
     pub(super) fn more_objects(&self, k: usize, end: usize, rel: Rel, so_far: usize) -> Option<usize> {
-        if !matches!(self.piece(k, end), Some(Piece::And)) {
+        if !matches!(self.piece(k, end), Some(ChunkPiece::And)) {
             return None;
         }
-        let np = self.np(k + 1, end).filter(|n| n.kind == Kind::Thing)?;
+        let np = self.np(k + 1, end).filter(|n| n.kind == NounKind::Thing)?;
         if rel == Rel::Between {
             return (so_far < 2).then_some(k + 1);
         }
-        let alone =
-            matches!(self.piece(k + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::Line | Piece::Close));
+        let alone = matches!(
+            self.piece(k + 2, end),
+            None | Some(ChunkPiece::Comma | ChunkPiece::Stop | ChunkPiece::Line | ChunkPiece::Close)
+        );
         let known = np.det == Det::Definite || np.det == Det::None && np.count.is_none() && self.find(np).is_some();
         (alone && known).then_some(k + 1)
     }
@@ -656,7 +664,7 @@ impl Reader<'_> {
                 !(f.of.len() == 1
                     && of.contains(&f.of[0])
                     && within(f.source.at())
-                    && matches!(&f.what, What::Rel(_, o) if o == owner)
+                    && matches!(&f.what, FactKind::Rel(_, o) if o == owner)
                     && !f.not)
             });
         }
@@ -684,14 +692,14 @@ impl Reader<'_> {
             return;
         }
         // Nothing lies on what lies on it.
-        let back = |f: &Fact| matches!(&f.what, What::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
+        let back = |f: &Fact| matches!(&f.what, FactKind::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
         if of == to
             || matches!(rel, Rel::On | Rel::Under | Rel::In | Rel::Above)
                 && self.brief.facts.iter().rev().take(8).any(back)
         {
             return;
         }
-        self.say(&of, What::Rel(rel, to.to_vec()));
+        self.say(&of, FactKind::Rel(rel, to.to_vec()));
         self.s.object = to.to_vec();
         if matches!(rel, Rel::LeftOf | Rel::RightOf) {
             self.side = Some((rel, to.to_vec()));
@@ -736,8 +744,8 @@ impl Reader<'_> {
             }
         }
         match place {
-            Place::Row => self.say(of, What::Pattern(Pattern::Row)),
-            Place::Circle => self.say(of, What::Pattern(Pattern::Circle)),
+            Place::Row => self.say(of, FactKind::Pattern(Pattern::Row)),
+            Place::Circle => self.say(of, FactKind::Pattern(Pattern::Circle)),
             Place::Side | Place::End | Place::Head | Place::Foot if which.iter().any(|w| w == "each") => {
                 // "on each side": of what was spoken of before.
                 let to = self.before.clone();
@@ -747,7 +755,7 @@ impl Reader<'_> {
             }
             _ => {
                 let hangs = self.s.hang && place == Place::Wall && rel != Rel::In;
-                self.say(of, What::Place(if hangs { Rel::Mounted } else { rel }, place, which.to_vec()));
+                self.say(of, FactKind::Place(if hangs { Rel::Mounted } else { rel }, place, which.to_vec()));
             }
         }
         self.s.last = None;

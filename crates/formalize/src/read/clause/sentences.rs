@@ -28,7 +28,8 @@ impl Reader<'_> {
 
     /// Where the last clause of a sentence begins, after ", and"; where it begins, if it has but one.
     pub(super) fn last_clause(&self, from: usize, end: usize) -> usize {
-        let joined = |k: &usize| self.chunks[*k].piece == Piece::And && self.chunks[k - 1].piece == Piece::Comma;
+        let joined =
+            |k: &usize| self.chunks[*k].piece == ChunkPiece::And && self.chunks[k - 1].piece == ChunkPiece::Comma;
         (from + 1..end).rev().find(joined).map_or(from, |k| k - 1)
     }
 
@@ -37,15 +38,15 @@ impl Reader<'_> {
         let mut i = from;
         while i < self.chunks.len() {
             match self.chunks[i].piece {
-                Piece::Stop => return i,
-                Piece::Line => {
+                ChunkPiece::Stop => return i,
+                ChunkPiece::Line => {
                     let next = self.chunks.get(i + 1);
                     let fresh = next.is_none_or(|c| {
-                        c.piece == Piece::Bullet
+                        c.piece == ChunkPiece::Bullet
                             || self.tokens[c.at.start].capital
-                            || i > 0 && self.chunks[i - 1].piece == Piece::Colon
+                            || i > 0 && self.chunks[i - 1].piece == ChunkPiece::Colon
                     });
-                    if fresh || matches!(self.chunks[from].piece, Piece::Bullet) {
+                    if fresh || matches!(self.chunks[from].piece, ChunkPiece::Bullet) {
                         return i;
                     }
                 }
@@ -58,11 +59,12 @@ impl Reader<'_> {
 
     /// "Storage." after a number, "Kitchen:", a title: what begins no sentence.
     pub(super) fn heading(&mut self, from: usize, end: usize) -> bool {
-        let first = from + usize::from(matches!(self.piece(from, end), Some(Piece::Bullet)));
+        let first = from + usize::from(matches!(self.piece(from, end), Some(ChunkPiece::Bullet)));
         let Some(np) = self.np(first, end) else { return false };
-        let closed = first + 1 == end || first + 2 == end && matches!(self.piece(first + 1, end), Some(Piece::Colon));
+        let closed =
+            first + 1 == end || first + 2 == end && matches!(self.piece(first + 1, end), Some(ChunkPiece::Colon));
         match np.kind {
-            Kind::Room => {
+            NounKind::Room => {
                 if let Some(room) = self.rooms.spoken.get(&first) {
                     self.room = *room;
                     self.room_look(*room, np);
@@ -78,11 +80,12 @@ impl Reader<'_> {
                 false
             }
             _ if closed && np.det == Det::None && np.count.is_none() && np.look == crate::draft::Look::default() => {
-                let stop = self.chunks.get(end).is_some_and(|c| c.piece == Piece::Stop) || first + 2 == end;
+                let stop = self.chunks.get(end).is_some_and(|c| c.piece == ChunkPiece::Stop) || first + 2 == end;
                 // "2. Desks. Eight desks …", "Entrance. Customers come in …", but "- armchair" is a thing.
-                let more = self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, Piece::Line | Piece::Bullet));
+                let more =
+                    self.chunks.get(end + 1).is_some_and(|c| !matches!(c.piece, ChunkPiece::Line | ChunkPiece::Bullet));
                 let next = self.chunks.get(end + 1..self.sentence_end(end + 1)).unwrap_or(&[]);
-                let told = next.iter().any(|c| matches!(c.piece, Piece::Verb(_)));
+                let told = next.iter().any(|c| matches!(c.piece, ChunkPiece::Verb(_)));
                 if stop && more && (first > from || told) || self.numbered(from, end) {
                     self.mark(first);
                     return true;
@@ -96,7 +99,7 @@ impl Reader<'_> {
     /// "5. General" before "5.1 All doors …".
     pub(super) fn numbered(&self, from: usize, end: usize) -> bool {
         let bullet = |i: usize| {
-            let c = self.chunks.get(i).filter(|c| c.piece == Piece::Bullet)?;
+            let c = self.chunks.get(i).filter(|c| c.piece == ChunkPiece::Bullet)?;
             Some(self.tokens[c.at.start].text.as_str())
         };
         matches!((bullet(from), bullet(end + 1)), (Some(a), Some(b)) if !a.is_empty() && b.len() > a.len() && b.starts_with(a))
@@ -109,11 +112,11 @@ impl Reader<'_> {
             return self.where_it_is(i, end);
         }
         let which = word.is("which") || word.is("that");
-        let Some(Piece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
-        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
+        let Some(ChunkPiece::Verb(_)) = self.piece(i + 1, end).filter(|_| which) else { return false };
+        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == ChunkPiece::Comma);
         let Some(np) = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)) else { return false };
         let last = self.recent.last().copied().filter(|o| self.brief.things[*o].words == np.words);
-        let Some(last) = last.filter(|o| !self.main.contains(o) && np.kind == Kind::Thing) else { return false };
+        let Some(last) = last.filter(|o| !self.main.contains(o) && np.kind == NounKind::Thing) else { return false };
         self.before = std::mem::replace(&mut self.main, vec![last]);
         self.near = vec![last];
         self.s.expect = Expect::Nothing;
@@ -125,10 +128,10 @@ impl Reader<'_> {
     fn where_it_is(&mut self, i: usize, end: usize) -> bool {
         let small = |np: &Np| {
             let fresh = matches!(np.det, Det::Indefinite | Det::Number | Det::None);
-            np.kind == Kind::Thing && fresh && np.group == Some(Group::Top)
+            np.kind == NounKind::Thing && fresh && np.group == Some(Group::Top)
         };
-        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == Piece::Comma);
-        let named = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)).filter(|np| np.kind == Kind::Thing);
+        let comma = usize::from(i > 0 && self.chunks[i - 1].piece == ChunkPiece::Comma);
+        let named = (i - comma).checked_sub(1).and_then(|k| self.np(k, end)).filter(|np| np.kind == NounKind::Thing);
         let carries = |o: &usize| {
             let item = &self.brief.things[*o];
             matches!(item.group, Group::Table | Group::Storage | Group::Bed | Group::Seat)

@@ -6,26 +6,26 @@ impl Reader<'_> {
     pub(super) fn on_np(&mut self, i: usize, end: usize, np: &Np) -> usize {
         match np.kind {
             // "the bedroom is a mess"
-            Kind::Thing
+            NounKind::Thing
                 if !np.known
                     && np.det == Det::Indefinite
                     && i > 0
-                    && matches!(self.chunks[i - 1].piece, Piece::Verb(Verb::Be))
+                    && matches!(self.chunks[i - 1].piece, ChunkPiece::Verb(Verb::Be))
                     && matches!(self.tokens[self.chunks[i - 1].at.start].text.as_str(), "is" | "are" | "was")
                     && (self.s.subject || self.s.of_room) =>
             {
                 i + 1
             }
-            Kind::Thing => self.forms(i, end, np).unwrap_or_else(|| self.on_things(i, end)),
-            Kind::Room => {
+            NounKind::Thing => self.forms(i, end, np).unwrap_or_else(|| self.on_things(i, end)),
+            NounKind::Room => {
                 self.on_room(i, end, np);
                 i + 1
             }
-            Kind::Pronoun => {
+            NounKind::Pronoun => {
                 self.on_pronoun(i, end, np);
                 self.s.skip.take().unwrap_or(i + 1)
             }
-            Kind::Abstract => {
+            NounKind::Abstract => {
                 let anything = np.words.first().is_some_and(|w| w == "anything" || w == "something");
                 if np.det == Det::No
                     || np.words.first().is_some_and(|w| w == "nothing")
@@ -50,8 +50,8 @@ impl Reader<'_> {
                 }
                 // "the distance between the bed and the desk is 1 m"
                 let distance = np.words.first().is_some_and(|w| matches!(w.as_str(), "distance" | "gap"));
-                let measured = (i + 1..end).any(|k| matches!(self.chunks[k].piece, Piece::Measure(_)));
-                if distance && measured && self.piece(i + 1, end) == Some(&Piece::Rel(Rel::Between)) {
+                let measured = (i + 1..end).any(|k| matches!(self.chunks[k].piece, ChunkPiece::Measure(_)));
+                if distance && measured && self.piece(i + 1, end) == Some(&ChunkPiece::Rel(Rel::Between)) {
                     self.mark(i);
                 }
                 if np.words.first().is_some_and(|w| w == "neighbour" || w == "neighbor")
@@ -62,7 +62,7 @@ impl Reader<'_> {
                 }
                 i + 1
             }
-            Kind::Place(place) => self.on_place_first(i, end, place, np),
+            NounKind::Place(place) => self.on_place_first(i, end, place, np),
         }
     }
 
@@ -70,10 +70,10 @@ impl Reader<'_> {
     pub(super) fn on_place_first(&mut self, i: usize, end: usize, place: Place, np: &Np) -> usize {
         let surface = matches!(place, Place::Wall | Place::Floor | Place::Ceiling);
         let mut k = i + 1;
-        while matches!(self.piece(k, end), Some(Piece::Verb(Verb::Be) | Piece::Rel(Rel::In | Rel::Of))) {
+        while matches!(self.piece(k, end), Some(ChunkPiece::Verb(Verb::Be) | ChunkPiece::Rel(Rel::In | Rel::Of))) {
             k += 1;
         }
-        if surface && let Some(Piece::Attr(look)) = self.piece(k, end) {
+        if surface && let Some(ChunkPiece::Attr(look)) = self.piece(k, end) {
             let room = &mut self.brief.rooms[self.room];
             match place {
                 Place::Wall => room.walls = look.clone(),
@@ -88,24 +88,24 @@ impl Reader<'_> {
         // "Desks, five rows"
         if let (Place::Row, Some(rows), false) = (place, np.count.filter(|n| *n > 1), self.near.is_empty()) {
             let of = self.near.clone();
-            self.say(&of, What::Pattern(Pattern::Rows(rows)));
+            self.say(&of, FactKind::Pattern(Pattern::Rows(rows)));
             self.mark(i);
             return i + 1;
         }
         // "the chairs occupy the corner", "cabin: rear right corner"
         // "a rug covers the floor": nothing else is covered.
-        if place == Place::Floor && matches!(before, Some(Piece::Verb(Verb::Cover))) {
+        if place == Place::Floor && matches!(before, Some(ChunkPiece::Verb(Verb::Cover))) {
             self.s.expect = Expect::Nothing;
             self.mark(i);
             return i + 1;
         }
         let there = matches!(place, Place::Corner | Place::Middle) || place == Place::Wall && !np.which.is_empty();
-        let verb = matches!(before, Some(Piece::Verb(_)));
+        let verb = matches!(before, Some(ChunkPiece::Verb(_)));
         let of = if self.near.is_empty() || verb { self.main.clone() } else { self.near.clone() };
         if there
             && !of.is_empty()
-            && matches!(before, Some(Piece::Verb(Verb::Be | Verb::Cover) | Piece::Colon | Piece::Comma))
-            && matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Rel(_) | Piece::And))
+            && matches!(before, Some(ChunkPiece::Verb(Verb::Be | Verb::Cover) | ChunkPiece::Colon | ChunkPiece::Comma))
+            && matches!(self.piece(i + 1, end), None | Some(ChunkPiece::Comma | ChunkPiece::Rel(_) | ChunkPiece::And))
         {
             self.at_place(&of, if place == Place::Wall { Rel::Against } else { Rel::In }, place, &np.which);
             self.s.expect = Expect::Nothing;
@@ -148,8 +148,8 @@ impl Reader<'_> {
         let before = i.checked_sub(1).and_then(|k| self.piece(k, end));
         let beside = [Rel::Beside, Rel::Near, Rel::Behind, Rel::Opposite];
         let aside = match before {
-            Some(Piece::Rel(Rel::From)) => true,
-            Some(Piece::Rel(rel)) => named_before && beside.contains(rel),
+            Some(ChunkPiece::Rel(Rel::From)) => true,
+            Some(ChunkPiece::Rel(rel)) => named_before && beside.contains(rel),
             _ => false,
         };
         if !aside {
@@ -160,7 +160,7 @@ impl Reader<'_> {
             self.main.clear();
             self.before.clear();
         }
-        if matches!(self.piece(i + 1, end), Some(Piece::With)) {
+        if matches!(self.piece(i + 1, end), Some(ChunkPiece::With)) {
             self.mark(i + 1);
         }
     }
@@ -245,7 +245,7 @@ impl Reader<'_> {
         }
         let bare = !self.s.subject && !self.s.of_room && matches!(word, "it") && i > 0 && np.det == Det::None;
         // "It shall contain …", after a sentence that began with the room.
-        let contains = (i + 1..end.min(i + 4)).any(|k| self.piece(k, end) == Some(&Piece::Verb(Verb::Have)));
+        let contains = (i + 1..end.min(i + 4)).any(|k| self.piece(k, end) == Some(&ChunkPiece::Verb(Verb::Have)));
         if bare && (self.about_room || self.room_began && contains) {
             self.s.of_room = true;
             self.s.room_last = true;
@@ -275,7 +275,7 @@ impl Reader<'_> {
                 if model.number != Number::Exactly(1) || model.opening() || model.part.is_some() {
                     return;
                 }
-                let source = Source::Stated(self.bytes(i..i + 1));
+                let source = ThingOrigin::Stated(self.bytes(i..i + 1));
                 let another = Thing { source, ..model.clone() };
                 self.brief.things.push(another);
                 let id = self.brief.things.len() - 1;
@@ -301,7 +301,7 @@ impl Reader<'_> {
         let word = np.words.first().map_or("", String::as_str);
         let followed = self.is_followed(i, end);
         self.s.each |= np.det == Det::Each || matches!(word, "each" | "both" | "all");
-        if followed || matches!(self.piece(i + 1, end), None | Some(Piece::Comma | Piece::Np(_))) {
+        if followed || matches!(self.piece(i + 1, end), None | Some(ChunkPiece::Comma | ChunkPiece::Np(_))) {
             let many = |l: &[usize]| l.len() > 1 || l.iter().any(|i| self.brief.things[*i].number.many());
             if self.main.is_empty() {
                 self.main = dir;
@@ -320,20 +320,25 @@ impl Reader<'_> {
         matches!(
             self.piece(i + 1, end),
             Some(
-                Piece::Rel(_) | Piece::Verb(_) | Piece::ToIts(_) | Piece::With | Piece::Pattern(_) | Piece::Measure(_)
+                ChunkPiece::Rel(_)
+                    | ChunkPiece::Verb(_)
+                    | ChunkPiece::ToIts(_)
+                    | ChunkPiece::With
+                    | ChunkPiece::Pattern(_)
+                    | ChunkPiece::Measure(_)
             )
         )
     }
 
     /// "one for each counter", "one per desk": the chunk of the counter.
     fn each_next(&self, i: usize, end: usize) -> Option<usize> {
-        let per = self.np(i + 1, end).filter(|n| n.det == Det::Each && n.kind == Kind::Thing);
+        let per = self.np(i + 1, end).filter(|n| n.det == Det::Each && n.kind == NounKind::Thing);
         if per.is_some() {
             return Some(i + 1);
         }
-        let word = matches!(self.piece(i + 1, end), Some(Piece::Word(_)))
+        let word = matches!(self.piece(i + 1, end), Some(ChunkPiece::Word(_)))
             && matches!(self.tokens[self.chunks[i + 1].at.start].text.as_str(), "for" | "per");
-        let each = self.np(i + 2, end).filter(|n| n.kind == Kind::Thing && n.det == Det::Each);
+        let each = self.np(i + 2, end).filter(|n| n.kind == NounKind::Thing && n.det == Det::Each);
         (word && each.is_some()).then_some(i + 2)
     }
 
@@ -500,7 +505,13 @@ impl Reader<'_> {
         let bare = word == "ones" && np.det == Det::Number;
         let goes_on = matches!(
             self.piece(i + 1, end),
-            Some(Piece::Rel(_) | Piece::ToIts(_) | Piece::Verb(_) | Piece::With | Piece::Pattern(_))
+            Some(
+                ChunkPiece::Rel(_)
+                    | ChunkPiece::ToIts(_)
+                    | ChunkPiece::Verb(_)
+                    | ChunkPiece::With
+                    | ChunkPiece::Pattern(_)
+            )
         );
         if !(of_them || bare) || !goes_on || np.det == Det::Each {
             return None;
@@ -535,13 +546,15 @@ impl Reader<'_> {
             return None;
         }
         // "the draught": a word nobody knows is a thing only where things are.
-        let placed = |p: Option<&Piece>| matches!(p, Some(Piece::Rel(r)) if !matches!(r, Rel::Of | Rel::To | Rel::From | Rel::In | Rel::Than));
-        let stands =
-            matches!(self.chunks.get(i + 1).map(|c| &c.piece), Some(Piece::Verb(Verb::Be | Verb::Hang | Verb::Carry)));
+        let placed = |p: Option<&ChunkPiece>| matches!(p, Some(ChunkPiece::Rel(r)) if !matches!(r, Rel::Of | Rel::To | Rel::From | Rel::In | Rel::Than));
+        let stands = matches!(
+            self.chunks.get(i + 1).map(|c| &c.piece),
+            Some(ChunkPiece::Verb(Verb::Be | Verb::Hang | Verb::Carry))
+        );
         // "no farther than 2 m from the silo"
         let measured = self.s.pending.is_some()
             && i > 0
-            && matches!(self.chunks[i - 1].piece, Piece::Rel(Rel::From | Rel::To | Rel::Of | Rel::Than));
+            && matches!(self.chunks[i - 1].piece, ChunkPiece::Rel(Rel::From | Rel::To | Rel::Of | Rel::Than));
         let around = measured
             || placed(self.chunks.get(i + 1).map(|c| &c.piece))
             || i > 0 && placed(self.chunks.get(i - 1).map(|c| &c.piece))
@@ -555,20 +568,20 @@ impl Reader<'_> {
         let at = self.bytes(i..i + 1);
         let id = self.add(np, at);
         if np.row {
-            self.say(&[id], What::Pattern(Pattern::Row));
+            self.say(&[id], FactKind::Pattern(Pattern::Row));
         }
         if let Some(rows) = np.rows {
-            self.say(&[id], What::Pattern(Pattern::Rows(rows)));
+            self.say(&[id], FactKind::Pattern(Pattern::Rows(rows)));
         }
         if np.look.features.iter().any(|f| f == "matching") {
             self.match_looks(id);
         }
         if np.look.features.iter().any(|f| f == "ceiling-mounted") && !self.brief.things[id].opening() {
-            self.say(&[id], What::Place(Rel::Hang, Place::Ceiling, vec![]));
+            self.say(&[id], FactKind::Place(Rel::Hang, Place::Ceiling, vec![]));
         }
         if np.look.features.iter().any(|f| f == "wall-mounted" || f == "wall-hung") && !self.brief.things[id].opening()
         {
-            self.say(&[id], What::Place(Rel::Mounted, Place::Wall, vec![]));
+            self.say(&[id], FactKind::Place(Rel::Mounted, Place::Wall, vec![]));
         }
         Some(id)
     }
@@ -581,7 +594,7 @@ impl Reader<'_> {
         np.det == Det::None && np.count.is_none() && (about || to && !np.many)
     }
 
-    pub(super) fn say(&mut self, of: &[usize], what: What) {
+    pub(super) fn say(&mut self, of: &[usize], what: FactKind) {
         let soft = self.s.soft;
         self.state(of, what, soft, false);
     }
@@ -590,8 +603,8 @@ impl Reader<'_> {
     pub(super) fn on_things(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
         let Some(np) = chunks[i].np() else { return i + 1 };
-        let comma = (self.s.chunks.start..i).rev().map(|k| &chunks[k].piece).find(|p| **p != Piece::And);
-        let unlike = comma == Some(&Piece::Comma) && self.unlike(self.s.owned.first(), i);
+        let comma = (self.s.chunks.start..i).rev().map(|k| &chunks[k].piece).find(|p| **p != ChunkPiece::And);
+        let unlike = comma == Some(&ChunkPiece::Comma) && self.unlike(self.s.owned.first(), i);
         if matches!(self.s.expect, Expect::With(..)) && (unlike || self.new_clause(i, end)) {
             self.s.expect = Expect::Nothing;
             self.s.each = false;
@@ -603,7 +616,7 @@ impl Reader<'_> {
             || self.s.not
                 && self.s.expect != Expect::Blocked
                 && !matches!(np.det, Det::Definite | Det::Each | Det::Own);
-        let to = (i..end).find(|k| chunks[*k].piece == Piece::Colon).unwrap_or(end);
+        let to = (i..end).find(|k| chunks[*k].piece == ChunkPiece::Colon).unwrap_or(end);
         if denied && !self.limits(i..to, end, np) {
             return self.deny(i, end);
         }
@@ -616,7 +629,7 @@ impl Reader<'_> {
             || matches!(np.words.last().map(String::as_str), Some("light" | "lighting" | "illumination" | "glow"))
                 && np.words.len() == 1
                 && i > 0
-                && !matches!(chunks[i - 1].piece, Piece::Rel(_) | Piece::With);
+                && !matches!(chunks[i - 1].piece, ChunkPiece::Rel(_) | ChunkPiece::With);
         if purpose && np.det == Det::None && np.count.is_none() && !np.many {
             return i + 1;
         }
@@ -627,7 +640,7 @@ impl Reader<'_> {
         let new_from = self.brief.things.len();
         let (mut joined, mut over) = (false, false);
         while let Some(np) = self.np(k, end) {
-            if np.kind != Kind::Thing {
+            if np.kind != NounKind::Thing {
                 break;
             }
             if let Some(id) = self.resolve(k, np, false) {
@@ -647,8 +660,8 @@ impl Reader<'_> {
             each |= np.det == Det::Each;
             let Some(next) = self.list_next(k, end) else { break };
             // "each with a monitor, a mouse and a chair, and a printer": the printer is of no desk.
-            let and = (k..next).any(|c| chunks[c].piece == Piece::And);
-            let comma = (k..next).any(|c| chunks[c].piece == Piece::Comma);
+            let and = (k..next).any(|c| chunks[c].piece == ChunkPiece::And);
+            let comma = (k..next).any(|c| chunks[c].piece == ChunkPiece::Comma);
             if and && joined && matches!(self.s.expect, Expect::With(..))
                 || comma && self.unlike(group[..].first(), next)
             {
@@ -674,18 +687,18 @@ impl Reader<'_> {
     /// Where a list goes on: after "and" or a comma, if a noun phrase follows that is a thing.
     pub(super) fn list_next(&self, k: usize, end: usize) -> Option<usize> {
         let mut n = k;
-        while matches!(self.piece(n, end), Some(Piece::And | Piece::Comma | Piece::Close)) {
+        while matches!(self.piece(n, end), Some(ChunkPiece::And | ChunkPiece::Comma | ChunkPiece::Close)) {
             n += 1;
         }
         if n == k {
             return None;
         }
-        self.np(n, end).filter(|np| np.kind == Kind::Thing && np.det != Det::No)?;
+        self.np(n, end).filter(|np| np.kind == NounKind::Thing && np.det != Det::No)?;
         // "…, the table in the middle": a clause of its own is read on its own all the same; the list ends before a verb.
         // So does "… encircles the column, and the column is …".
         let again =
             matches!(self.s.expect, Expect::Object(_)) && self.np(n, end).is_some_and(|np| np.det == Det::Definite);
-        let verb_before = matches!(self.piece(n + 1, end), Some(Piece::Verb(v)) if *v != Verb::Be || again);
+        let verb_before = matches!(self.piece(n + 1, end), Some(ChunkPiece::Verb(v)) if *v != Verb::Be || again);
         let verb_before = verb_before && !self.of_several(n);
         // "Above the desk hangs a mirror, and a lamp stands …": the subject came after its verb, so the list is over.
         let inverted = self.s.verb && !self.s.subject && !self.s.lead.is_empty();
@@ -713,7 +726,7 @@ impl Reader<'_> {
     fn of_several(&self, n: usize) -> bool {
         let word = self.tokens[self.chunks[n + 1].at.start].text.as_str();
         let one = self.chunks[n].np().is_some_and(|np| !np.many && np.count.is_none_or(|c| c == 1));
-        let and = n > 0 && self.chunks[n - 1].piece == Piece::And;
+        let and = n > 0 && self.chunks[n - 1].piece == ChunkPiece::And;
         let finite = matches!(word, "occupy" | "fill" | "flank" | "frame" | "surround" | "adorn" | "face" | "hang");
         one && and && finite && matches!(self.s.expect, Expect::Nothing)
     }
@@ -749,7 +762,7 @@ impl Reader<'_> {
             Expect::Blocked if !std::mem::take(&mut self.s.not) => {}
             Expect::Blocked => {
                 let (of, soft) = (self.main.clone(), self.s.soft);
-                self.state(&of, What::Rel(Rel::InFrontOf, group.to_vec()), soft, true);
+                self.state(&of, FactKind::Rel(Rel::InFrontOf, group.to_vec()), soft, true);
             }
             expect => {
                 if let Expect::With(..) = expect {

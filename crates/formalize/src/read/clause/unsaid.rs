@@ -43,10 +43,11 @@ impl Reader<'_> {
     /// Whether what is counted here was spoken of before, so that these are some of them: not "most of the wall".
     fn known_several(&self, i: usize, end: usize) -> bool {
         let many = |o: usize| self.brief.things[o].number.many();
-        let phrase = (i..end.min(i + 3)).find_map(|k| self.np(k, end).filter(|np| np.kind != Kind::Place(Place::Wall)));
+        let phrase =
+            (i..end.min(i + 3)).find_map(|k| self.np(k, end).filter(|np| np.kind != NounKind::Place(Place::Wall)));
         match phrase {
-            Some(np) if np.kind == Kind::Thing => self.find(np).is_some_and(many),
-            Some(np) => np.kind == Kind::Pronoun,
+            Some(np) if np.kind == NounKind::Thing => self.find(np).is_some_and(many),
+            Some(np) => np.kind == NounKind::Pronoun,
             None => false,
         }
     }
@@ -54,17 +55,20 @@ impl Reader<'_> {
     /// "Four tables. Some tables are near the door": not two more.
     fn some_known(&self, i: usize, end: usize) -> bool {
         let begins = i == self.s.chunks.start;
-        let Some(np) = self.np(i, end).filter(|np| begins && np.kind == Kind::Thing && np.many) else { return false };
+        let Some(np) = self.np(i, end).filter(|np| begins && np.kind == NounKind::Thing && np.many) else {
+            return false;
+        };
         let said = |o: usize| {
             let thing = &self.brief.things[o];
             thing.words == np.words && (thing.number.said().is_some() || thing.number.follows())
         };
-        self.find(np).is_some_and(said) && matches!(self.piece(i + 1, end), Some(Piece::Verb(_) | Piece::Rel(_)))
+        self.find(np).is_some_and(said)
+            && matches!(self.piece(i + 1, end), Some(ChunkPiece::Verb(_) | ChunkPiece::Rel(_)))
     }
 
     /// "A chair for every desk", of which nobody has spoken: so many as nobody knows.
     pub(super) fn for_unknown(&self, i: usize, end: usize) -> bool {
-        let each = |np: &&Np| np.kind == Kind::Thing && np.det == Det::Each && np.known && np.group.is_some();
+        let each = |np: &&Np| np.kind == NounKind::Thing && np.det == Det::Each && np.known && np.group.is_some();
         let named = |np: &Np| self.chunks[..i].iter().any(|c| c.np().is_some_and(|other| other.words == np.words));
         let unknown = |np: &Np| self.find(np).is_none() && !named(np);
         self.word_at(i, 0) == "for" && self.np(i + 1, end).filter(each).is_some_and(unknown)
@@ -77,11 +81,11 @@ impl Reader<'_> {
             let next = self.tokens.get(t + 1);
             self.tokens[t].is("same") && next.is_some_and(|t| ALIKE.contains(&t.text.as_str()))
         };
-        let relates = i > self.s.chunks.start && matches!(self.chunks[i - 1].piece, Piece::Rel(_));
+        let relates = i > self.s.chunks.start && matches!(self.chunks[i - 1].piece, ChunkPiece::Rel(_));
         if !self.chunks[i].at.clone().any(same) || !relates {
             return None;
         }
-        let object = (i + 1..end).find(|k| self.np(*k, end).is_some_and(|np| np.kind == Kind::Thing));
+        let object = (i + 1..end).find(|k| self.np(*k, end).is_some_and(|np| np.kind == NounKind::Thing));
         Some(i - 1..object.map_or(end, |k| k + 1))
     }
 
@@ -93,7 +97,7 @@ impl Reader<'_> {
         let so = word(0) == "so" && verb(1) && self.np(i + 1, end).or(self.np(i + 2, end)).is_some();
         let short = verb(0) && matches!(word(1), "too" | "not" | "likewise" | "so") && self.ends_at(i, 2);
         let denied = matches!(word(0), "doesn't" | "don't" | "isn't" | "aren't") && self.ends_at(i, 1);
-        let starts = i > self.s.chunks.start && matches!(self.chunks[i - 1].piece, Piece::Comma | Piece::And);
+        let starts = i > self.s.chunks.start && matches!(self.chunks[i - 1].piece, ChunkPiece::Comma | ChunkPiece::And);
         (so || short || denied || starts && self.no_verb(i, end)).then_some(i)
     }
 
@@ -101,11 +105,12 @@ impl Reader<'_> {
     /// another.
     fn no_verb(&self, i: usize, end: usize) -> bool {
         let definite = |k: usize| self.np(k, end).filter(|np| matches!(np.det, Det::Definite | Det::Own));
-        let thing = |k: usize| definite(k).is_some_and(|np| np.kind == Kind::Thing);
+        let thing = |k: usize| definite(k).is_some_and(|np| np.kind == NounKind::Thing);
         // "…, the other two a lamp"
         let other = definite(i).is_some_and(|np| np.other);
-        let given = other && self.np(i + 1, end).is_some_and(|np| np.kind == Kind::Thing && np.det != Det::None);
-        let ends = matches!(self.piece(i + 2, end), None | Some(Piece::Comma | Piece::Stop | Piece::And));
+        let given = other && self.np(i + 1, end).is_some_and(|np| np.kind == NounKind::Thing && np.det != Det::None);
+        let ends =
+            matches!(self.piece(i + 2, end), None | Some(ChunkPiece::Comma | ChunkPiece::Stop | ChunkPiece::And));
         (thing(i) && thing(i + 1) || given) && ends && i > self.s.chunks.start + 1
     }
 
@@ -117,7 +122,7 @@ impl Reader<'_> {
         }
         let second = self.chunks[i].at.start + 2;
         let k = (i..end).find(|k| self.chunks[*k].at.contains(&second))?;
-        let np = (k..end.min(k + 3)).find(|k| self.np(*k, end).is_some_and(|np| np.kind == Kind::Thing))?;
+        let np = (k..end.min(k + 3)).find(|k| self.np(*k, end).is_some_and(|np| np.kind == NounKind::Thing))?;
         Some(np + 1)
     }
 }

@@ -6,15 +6,16 @@ impl Reader<'_> {
     /// "a chair placed near the window", "a cart topped with a mat": the thing right before a participle, where the
     /// sentence is about another.
     pub(super) fn reduced(&self, i: usize) -> Option<usize> {
-        let Piece::Verb(_) = self.chunks[i].piece else { return None };
+        let ChunkPiece::Verb(_) = self.chunks[i].piece else { return None };
         let mut before = self.chunks.get(i.checked_sub(1)?)?.np()?;
         // "a ladder against the wall displaying plants"
-        let placed =
-            matches!(before.kind, Kind::Place(_)) && i > 2 && matches!(self.chunks[i - 2].piece, Piece::Rel(_));
+        let placed = matches!(before.kind, NounKind::Place(_))
+            && i > 2
+            && matches!(self.chunks[i - 2].piece, ChunkPiece::Rel(_));
         if placed {
             before = self.chunks[i - 3].np()?;
         }
-        if before.kind != Kind::Thing {
+        if before.kind != NounKind::Thing {
             return None;
         }
         let word = self.tokens[self.chunks[i].at.start].text.as_str();
@@ -30,16 +31,17 @@ impl Reader<'_> {
 
     /// "a bed, a desk, and a lamp placed near the window": of a list with commas, a participle is said of the last.
     pub(super) fn last_listed(&self, i: usize) -> Option<usize> {
-        if !matches!(self.chunks[i].piece, Piece::Verb(_)) {
+        if !matches!(self.chunks[i].piece, ChunkPiece::Verb(_)) {
             return None;
         }
         let word = self.tokens[self.chunks[i].at.start].text.as_str();
         let participle = word.ends_with("ing") || word.ends_with("ed") || word == "set";
-        let np = self.np(i.checked_sub(1)?, i).filter(|np| np.kind == Kind::Thing)?;
-        let before = self.chunks[self.s.chunks.start..i - 1].iter().rev().map(|c| &c.piece).find(|p| **p != Piece::And);
+        let np = self.np(i.checked_sub(1)?, i).filter(|np| np.kind == NounKind::Thing)?;
+        let before =
+            self.chunks[self.s.chunks.start..i - 1].iter().rev().map(|c| &c.piece).find(|p| **p != ChunkPiece::And);
         let last = self.main.last().copied().filter(|o| self.brief.things[*o].words == np.words)?;
         let first = !self.s.listed && !self.s.of_room;
-        (participle && !first && self.main.len() > 1 && before == Some(&Piece::Comma)).then_some(last)
+        (participle && !first && self.main.len() > 1 && before == Some(&ChunkPiece::Comma)).then_some(last)
     }
 
     /// Who has what comes: doors and windows have curtains and nothing else.
@@ -52,8 +54,8 @@ impl Reader<'_> {
     /// Whether the noun phrase that begins here is what a new clause is about: "…, while a basket sits …".
     pub(super) fn new_clause(&self, i: usize, end: usize) -> bool {
         let joined = |c: &Chunk| match c.piece {
-            Piece::And | Piece::Comma => true,
-            Piece::Word(_) | Piece::Which => {
+            ChunkPiece::And | ChunkPiece::Comma => true,
+            ChunkPiece::Word(_) | ChunkPiece::Which => {
                 matches!(self.tokens[c.at.start].text.as_str(), "while" | "where" | "whereas" | "as" | "but")
             }
             _ => false,
@@ -65,28 +67,28 @@ impl Reader<'_> {
     /// to do with the other: "a shelf holding a book, and a lamp near the window".
     fn elsewhere(&self, i: usize, end: usize) -> bool {
         let Expect::With(owner, _) = &self.s.expect else { return false };
-        let comma = (self.s.chunks.start..i).rev().map(|k| &self.chunks[k].piece).find(|p| **p != Piece::And);
-        if comma != Some(&Piece::Comma) {
+        let comma = (self.s.chunks.start..i).rev().map(|k| &self.chunks[k].piece).find(|p| **p != ChunkPiece::And);
+        if comma != Some(&ChunkPiece::Comma) {
             return false;
         }
         let mut k = i + 1;
         while matches!(
             self.piece(k, end),
-            Some(Piece::Attr(_) | Piece::Word(false) | Piece::Verb(Verb::Be | Verb::Hang))
+            Some(ChunkPiece::Attr(_) | ChunkPiece::Word(false) | ChunkPiece::Verb(Verb::Be | Verb::Hang))
         ) {
             k += 1;
         }
         match self.piece(k, end) {
-            Some(Piece::Rel(rel)) if !matches!(rel, Rel::Of | Rel::To | Rel::From | Rel::Than) => {}
+            Some(ChunkPiece::Rel(rel)) if !matches!(rel, Rel::Of | Rel::To | Rel::From | Rel::Than) => {}
             _ => return false,
         }
         let Some(np) = self.np(k + 1, end) else { return false };
         match np.kind {
-            Kind::Place(place) => matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor),
+            NounKind::Place(place) => matches!(place, Place::Wall | Place::Corner | Place::Ceiling | Place::Floor),
             // "each with a computer, a safe on the wall": one safe; but "each with a lamp, a cup beside it".
-            Kind::Thing if np.det == Det::Own || self.s.each => false,
+            NounKind::Thing if np.det == Det::Own || self.s.each => false,
             // What was named before its owner, and is not what it has.
-            Kind::Thing => match (self.find(np), owner.last()) {
+            NounKind::Thing => match (self.find(np), owner.last()) {
                 (Some(found), Some(of)) => {
                     let at = |o: usize| self.brief.things[o].source.at().start;
                     !owner.contains(&found) && at(found) < at(*of)
@@ -99,13 +101,13 @@ impl Reader<'_> {
 
     /// Whether a noun phrase begins here that a finite verb follows.
     pub(super) fn stands_next(&self, i: usize, end: usize) -> bool {
-        let Some(np) = self.np(i, end).filter(|np| np.kind == Kind::Thing) else { return false };
+        let Some(np) = self.np(i, end).filter(|np| np.kind == NounKind::Thing) else { return false };
         let mut k = i + 1;
-        while matches!(self.piece(k, end), Some(Piece::Attr(_) | Piece::Word(false))) {
+        while matches!(self.piece(k, end), Some(ChunkPiece::Attr(_) | ChunkPiece::Word(false))) {
             k += 1;
         }
         match self.piece(k, end) {
-            Some(Piece::Verb(_) | Piece::Rel(_)) => {
+            Some(ChunkPiece::Verb(_) | ChunkPiece::Rel(_)) => {
                 let word = self.tokens[self.chunks[k].at.start].text.as_str();
                 let one = word.ends_with('s') && !matches!(word, "across" | "towards" | "less");
                 let many = (np.many || np.count.is_some_and(|c| c > 1))
@@ -129,7 +131,7 @@ impl Reader<'_> {
         for i in from..end {
             let at = self.chunks[i].at.start;
             let word = |n: usize| self.tokens.get(at + n).map_or("", |t| t.text.as_str());
-            let stop = |k: &usize| self.chunks[*k].piece == Piece::Comma;
+            let stop = |k: &usize| self.chunks[*k].piece == ChunkPiece::Comma;
             let to = (i + 1..end).find(stop).unwrap_or(end);
             match (word(0), word(1)) {
                 ("except" | "excepting", _) | ("apart" | "aside", "from") => {
@@ -161,12 +163,12 @@ impl Reader<'_> {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 _ if self.as_before(i, to).is_some() => {
-                    let joins = |k: &usize| stop(k) || self.chunks[*k].piece == Piece::And;
+                    let joins = |k: &usize| stop(k) || self.chunks[*k].piece == ChunkPiece::And;
                     out.push((from..i).rev().find(joins).map_or(from, |k| k + 1)..to);
                 }
                 _ if self.same_as(i, to).is_some() => out.extend(self.same_as(i, to)),
                 _ if self.as_much(i, end).is_some() => {
-                    let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, Piece::Word(_)));
+                    let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, ChunkPiece::Word(_)));
                     out.push(begin..self.as_much(i, end).unwrap_or(to));
                 }
                 _ if self.uncounted(i, to) => {
@@ -183,7 +185,7 @@ impl Reader<'_> {
                 }
                 _ if self.compares(i, end) => {
                     let object = self.np(i + 1, end).is_some();
-                    let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, Piece::Word(_)));
+                    let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, ChunkPiece::Word(_)));
                     out.push(begin..i + 1 + usize::from(object));
                 }
                 _ => {}
@@ -209,7 +211,7 @@ impl Reader<'_> {
         match np.nth {
             Some(Nth::ButFirst | Nth::ButLast) => !known.is_some_and(said),
             // "the first chair … the second chair", where nobody has said yet how many there are.
-            Some(Nth::At(_)) if np.kind == Kind::Thing && np.det == Det::Definite => {
+            Some(Nth::At(_)) if np.kind == NounKind::Thing && np.det == Det::Definite => {
                 self.find(np).is_none_or(|f| !self.brief.things[f].number.many()) && self.counted_later(np, i)
             }
             _ => np.bound.is_some() && known.is_some_and(said) && i + 1 < end,
@@ -230,7 +232,7 @@ impl Reader<'_> {
         if !self.tokens.get(at).is_some_and(|t| matches!(t.text.as_str(), "that" | "it" | "them" | "those" | "this")) {
             return None;
         }
-        let k = (i + 1..end.min(i + 3)).find(|k| self.np(*k, end).is_some_and(|np| np.kind == Kind::Thing))?;
+        let k = (i + 1..end.min(i + 3)).find(|k| self.np(*k, end).is_some_and(|np| np.kind == NounKind::Thing))?;
         let np = self.np(k, end)?;
         let thing = self.find(np).filter(|o| self.brief.things[*o].part.is_none())?;
         match np.count {
@@ -254,19 +256,22 @@ impl Reader<'_> {
         let chunks = self.chunks;
         let i = (from..end).find(|k| self.tokens[chunks[*k].at.start].is("neither"))?;
         let there = |c: &Chunk| {
-            matches!(c.piece, Piece::There | Piece::With | Piece::Verb(Verb::Have))
+            matches!(c.piece, ChunkPiece::There | ChunkPiece::With | ChunkPiece::Verb(Verb::Have))
                 || self.tokens[c.at.start].is("there")
         };
         let listed = |k: &usize| match &chunks[*k].piece {
-            Piece::Np(np) => np.kind == Kind::Thing,
-            piece => matches!(piece, Piece::Not | Piece::Word(_) | Piece::And | Piece::Comma),
+            ChunkPiece::Np(np) => np.kind == NounKind::Thing,
+            piece => matches!(piece, ChunkPiece::Not | ChunkPiece::Word(_) | ChunkPiece::And | ChunkPiece::Comma),
         };
         let to = (i..end).find(|k| !listed(k)).unwrap_or(end);
-        let told = matches!(self.piece(to, end), Some(Piece::Verb(_) | Piece::ToIts(_) | Piece::Pattern(_)))
-            || matches!(self.piece(to, end), Some(Piece::Rel(rel)) if *rel != Rel::To);
+        let told =
+            matches!(self.piece(to, end), Some(ChunkPiece::Verb(_) | ChunkPiece::ToIts(_) | ChunkPiece::Pattern(_)))
+                || matches!(self.piece(to, end), Some(ChunkPiece::Rel(rel)) if *rel != Rel::To);
         let things: Vec<usize> = (i..to).filter(|k| self.np(*k, to).is_some()).collect();
         // "No, neither a hood nor a fridge."
-        let alone = chunks[from..i].iter().all(|c| matches!(c.piece, Piece::Not | Piece::Comma | Piece::Word(_)));
+        let alone = chunks[from..i]
+            .iter()
+            .all(|c| matches!(c.piece, ChunkPiece::Not | ChunkPiece::Comma | ChunkPiece::Word(_)));
         if !alone && !chunks[from..i].iter().any(there) || told || things.len() < 2 {
             return None;
         }
@@ -294,13 +299,13 @@ impl Reader<'_> {
     pub(super) fn moved(&mut self, from: usize, end: usize) -> usize {
         let first = |k: usize| self.chunks.get(k).map_or("", |c| self.tokens[c.at.start].text.as_str());
         let lead = |k: &usize| {
-            self.piece(*k, end) == Some(&Piece::Comma)
+            self.piece(*k, end) == Some(&ChunkPiece::Comma)
                 || matches!(first(*k), "actually" | "no" | "wait" | "sorry" | "hmm" | "oh")
         };
         let Some(begin) = (from..end).find(|k| !lead(k)) else { return from };
         let turns = (from..begin).any(|k| matches!(first(k), "no" | "sorry" | "wait"));
         let again = matches!(first(begin), "put" | "place" | "move" | "stand" | "hang" | "set" | "keep")
-            && self.np(begin + 1, end).is_some_and(|np| np.kind == Kind::Pronoun);
+            && self.np(begin + 1, end).is_some_and(|np| np.kind == NounKind::Pronoun);
         if !turns || !again || self.main.is_empty() {
             return from;
         }
@@ -310,7 +315,7 @@ impl Reader<'_> {
             before.start <= at.start
                 && at.end <= before.end
                 && fact.of.iter().all(|o| main.contains(o))
-                && matches!(fact.what, What::Place(..) | What::Rel(..) | What::Gap(..))
+                && matches!(fact.what, FactKind::Place(..) | FactKind::Rel(..) | FactKind::Gap(..))
         };
         self.brief.facts.retain(|fact| !there(fact));
         (from..begin).for_each(|k| self.mark(k));
@@ -322,7 +327,7 @@ impl Reader<'_> {
         let chunk = &self.chunks[i];
         let before = chunk.at.start.checked_sub(1).map_or("", |k| self.tokens[k].text.as_str());
         let number = self.np(i + 1, end).is_some_and(|np| np.count.is_some() && np.det == Det::Number);
-        chunk.piece == Piece::Rel(Rel::Than) && !number && !matches!(before, "rather" | "other" | "more" | "less")
+        chunk.piece == ChunkPiece::Rel(Rel::Than) && !number && !matches!(before, "rather" | "other" | "more" | "less")
     }
 
     pub(super) fn on_verb(&mut self, i: usize, end: usize, verb: Verb) {

@@ -1,7 +1,7 @@
 //! What comes next in a text, as far as a noun phrase has to know: nouns, rooms, places, the end of a name.
 
 use super::super::chunk::look_at;
-use super::super::lexicon::{Class, Look, get, plural, singular};
+use super::super::lexicon::{Class, LookWord, get, plural, singular};
 use super::super::number;
 use super::super::token::Token;
 use super::Nth;
@@ -231,7 +231,7 @@ pub(super) fn worded_look(rest: &[Token]) -> Option<usize> {
         let participle = second.text.ends_with("ed") && lexicon.look(&second.text).is_none();
         return (participle && lexicon.verb(&rest[1..]).is_none() && goes_on()).then_some(2);
     }
-    let like = matches!(lexicon.look(&first.text), Some(Look::Material | Look::Shade))
+    let like = matches!(lexicon.look(&first.text), Some(LookWord::Material | LookWord::Shade))
         || !lexicon.known(&first.text) && !lexicon.is(&first.text, Class::Stop);
     let (noun, _) = longest_noun(after)?;
     let of_itself = matches!(noun.as_str(), "shelf" | "drawer" | "row" | "rest" | "cushion" | "board" | "plate")

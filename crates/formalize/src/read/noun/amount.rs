@@ -4,7 +4,7 @@ use super::super::chunk::Dims;
 use super::super::measure::{Measure, measure};
 use super::super::number;
 use super::super::token::Token;
-use super::{Det, Kind, Np, noun_phrase};
+use super::{Det, NounKind, Np, noun_phrase};
 use crate::brief::{Dim, Op};
 
 /// "at least four chairs", "only two tables": a noun phrase with what its number is said to be.
@@ -25,7 +25,7 @@ pub fn bounded(rest: &[Token]) -> Option<(Np, usize)> {
         return None;
     }
     let (mut np, used) = noun_phrase(&rest[words..], true)?;
-    let counted = np.kind == Kind::Thing && np.det == Det::Number && np.nth.is_none();
+    let counted = np.kind == NounKind::Thing && np.det == Det::Number && np.nth.is_none();
     let count = np.count?.checked_add_signed(more).filter(|n| counted && *n > 0)?;
     np.count = Some(count);
     np.bound = Some(op);

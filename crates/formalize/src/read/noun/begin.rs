@@ -5,7 +5,7 @@ use super::super::number;
 use super::super::token::Token;
 use super::ahead::{before_noun, but_one, half, names_something, ordinal};
 use super::scan::Scan;
-use super::{Det, Kind, Nth};
+use super::{Det, NounKind, Nth};
 
 impl Scan<'_> {
     /// Reads the determiners.
@@ -140,7 +140,7 @@ impl Scan<'_> {
 
     /// The phrase is a pronoun.
     pub fn stands_for(&mut self, word: &str) {
-        self.np.kind = Kind::Pronoun;
+        self.np.kind = NounKind::Pronoun;
         self.np.words = vec![word.to_owned()];
     }
 }

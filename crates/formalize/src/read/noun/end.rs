@@ -5,7 +5,7 @@ use super::super::lexicon::{Class, plural, singular};
 use super::ahead::but_one;
 use super::begin::is_pronoun;
 use super::scan::Scan;
-use super::{Det, Kind, Np};
+use super::{Det, NounKind, Np};
 use crate::brief::Dim;
 use crate::draft;
 
@@ -25,7 +25,7 @@ impl Scan<'_> {
         self.kind();
         self.diagonal();
         let np = &mut self.np;
-        let exception = matches!(np.det, Det::Each | Det::Definite) && np.kind == Kind::Thing && np.nth.is_none();
+        let exception = matches!(np.det, Det::Each | Det::Definite) && np.kind == NounKind::Thing && np.nth.is_none();
         if let Some((nth, n)) = but_one(&self.rest[self.noun_end..]).filter(|_| exception) {
             np.nth = Some(nth);
             return Some((self.np, self.noun_end + n));
@@ -73,7 +73,7 @@ impl Scan<'_> {
         let thing = self.lexicon.noun_ending(&np.words);
         match (self.lexicon.room_ending(&np.words), thing) {
             (Some((n, _)), t) if t.is_none_or(|(m, _)| n >= m) => {
-                np.kind = Kind::Room;
+                np.kind = NounKind::Room;
                 np.last = n;
                 np.known = true;
                 // What may be either is a thing where it is not said like a room.
@@ -88,7 +88,7 @@ impl Scan<'_> {
                 let head = np.words.last().cloned().unwrap_or_default();
                 let named = np.words.len() > 1 && self.lexicon.is(&head, Class::Tail);
                 if self.lexicon.is(&head, Class::Abstract) && !named {
-                    np.kind = Kind::Abstract;
+                    np.kind = NounKind::Abstract;
                 }
             }
         }

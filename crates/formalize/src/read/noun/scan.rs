@@ -2,7 +2,7 @@
 
 use super::super::lexicon::{Class, Lexicon, get};
 use super::super::token::Token;
-use super::{Det, Kind, Np};
+use super::{Det, NounKind, Np};
 
 /// See the file.
 pub(super) struct Scan<'t> {
@@ -33,7 +33,7 @@ pub(super) struct Scan<'t> {
 }
 
 /// What comes of a word.
-pub(super) enum Step {
+pub(super) enum ScanStep {
     /// The next one is read.
     Go,
     /// The name ends before it.
@@ -51,7 +51,7 @@ impl<'t> Scan<'t> {
             lexicon: get(),
             listed,
             used: 0,
-            np: Np::new(Kind::Thing),
+            np: Np::new(NounKind::Thing),
             last_det: Det::None,
             article: false,
             begun: false,

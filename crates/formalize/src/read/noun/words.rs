@@ -2,17 +2,17 @@
 //! what one of them is, or passes it on; the order of the rules matters.
 
 use super::super::chunk::{add_look, fixed, look_at};
-use super::super::lexicon::{Class, Look, plural, singular};
+use super::super::lexicon::{Class, LookWord, plural, singular};
 use super::super::measure::measure;
 use super::super::number;
-use super::super::token::{Kind as TokenKind, Token};
+use super::super::token::{Token, WordKind};
 use super::ahead::{
     adjective, before_noun, leads_to_noun, leads_to_place, longest_noun, place, room_here, stops_here, tail_here,
     takes_object, tells_which, worded_look,
 };
 use super::amount::{add_dims, in_inches};
-use super::scan::{Scan, Step};
-use super::{Det, Kind, Np};
+use super::scan::{Scan, ScanStep};
+use super::{Det, NounKind, Np};
 use crate::brief::Place;
 
 impl Scan<'_> {
@@ -20,17 +20,17 @@ impl Scan<'_> {
     pub fn words(mut self) -> Option<(Np, usize)> {
         while let Some(token) = self.rest.get(self.used) {
             match if token.word() { self.word(token) } else { self.mark(token) } {
-                Step::Go => {}
-                Step::Stop => break,
-                Step::Found(used) => return Some((self.np, used)),
-                Step::Nothing => return None,
+                ScanStep::Go => {}
+                ScanStep::Stop => break,
+                ScanStep::Found(used) => return Some((self.np, used)),
+                ScanStep::Nothing => return None,
             }
         }
         self.end()
     }
 
-    fn word(&mut self, token: &Token) -> Step {
-        let rules: [fn(&mut Self, &str) -> Option<Step>; 14] = [
+    fn word(&mut self, token: &Token) -> ScanStep {
+        let rules: [fn(&mut Self, &str) -> Option<ScanStep>; 14] = [
             Self::before_look,
             Self::look_of_several_words,
             Self::size,
@@ -51,7 +51,7 @@ impl Scan<'_> {
     }
 
     /// "a large, round table", as long as a noun comes; "a 2 m table".
-    fn mark(&mut self, token: &Token) -> Step {
+    fn mark(&mut self, token: &Token) -> ScanStep {
         let used = self.used;
         let adjectives = self.nouns.is_empty()
             && used > self.start
@@ -59,12 +59,12 @@ impl Scan<'_> {
             && self.looks_end == used;
         if token.is(",") && adjectives && leads_to_noun(self.from(used + 1)) {
             self.used += 1;
-            return Step::Go;
+            return ScanStep::Go;
         }
-        if matches!(token.kind, TokenKind::Number(_)) && self.nouns.is_empty() && self.measured() {
-            return Step::Go;
+        if matches!(token.kind, WordKind::Number(_)) && self.nouns.is_empty() && self.measured() {
+            return ScanStep::Go;
         }
-        Step::Stop
+        ScanStep::Stop
     }
 
     /// Whether a size is read.
@@ -79,7 +79,7 @@ impl Scan<'_> {
     }
 
     /// "large and round", "very large"
-    fn before_look(&mut self, w: &str) -> Option<Step> {
+    fn before_look(&mut self, w: &str) -> Option<ScanStep> {
         let used = self.used;
         let joins = w == "and"
             && used > self.start
@@ -90,42 +90,42 @@ impl Scan<'_> {
         let degree = matches!(w, "very" | "really" | "quite" | "slightly" | "rather" | "fairly" | "super" | "extra");
         (self.nouns.is_empty() && (joins || degree)).then(|| {
             self.used += 1;
-            Step::Go
+            ScanStep::Go
         })
     }
 
     /// "a neatly rolled towel", "a glass top table"
-    fn look_of_several_words(&mut self, _: &str) -> Option<Step> {
+    fn look_of_several_words(&mut self, _: &str) -> Option<ScanStep> {
         let expected = self.nouns.is_empty() && (self.expects_noun() || self.listed);
         let n = worded_look(self.from(self.used)).filter(|_| expected)?;
-        self.add_look(Look::Feature, n);
-        Some(Step::Go)
+        self.add_look(LookWord::Feature, n);
+        Some(ScanStep::Go)
     }
 
-    fn add_look(&mut self, look: Look, n: usize) {
+    fn add_look(&mut self, look: LookWord, n: usize) {
         add_look(&mut self.np.look, look, &self.rest[self.used..self.used + n]);
         self.used += n;
         self.looks_end = self.used;
     }
 
-    fn size(&mut self, _: &str) -> Option<Step> {
+    fn size(&mut self, _: &str) -> Option<ScanStep> {
         // "a two metre long table": after its article, too.
         let begun = self.begun || self.used > self.owner_end.min(self.start);
         let here = self.nouns.is_empty() && begun;
-        (here && self.measured()).then_some(Step::Go)
+        (here && self.measured()).then_some(ScanStep::Go)
     }
 
     /// "a teacher's desk": part of the name; "the desk's left side": of a thing.
-    fn owner(&mut self, w: &str) -> Option<Step> {
+    fn owner(&mut self, w: &str) -> Option<ScanStep> {
         self.rest[self.used].owner.then(|| {
             self.nouns.push((singular(w), false));
             self.used += 1;
-            Step::Go
+            ScanStep::Go
         })
     }
 
     /// "the island surface", "the table's top": that thing.
-    fn surface(&mut self, w: &str) -> Option<Step> {
+    fn surface(&mut self, w: &str) -> Option<ScanStep> {
         let is = matches!(self.last_det, Det::Definite | Det::Own)
             && !self.nouns.is_empty()
             && self.is_known()
@@ -134,12 +134,12 @@ impl Scan<'_> {
         is.then(|| {
             self.used += 1;
             self.noun_end = self.used;
-            Step::Stop
+            ScanStep::Stop
         })
     }
 
     /// After a noun in the singular: more of the name, or a verb.
-    fn after_singular(&mut self, w: &str) -> Option<Step> {
+    fn after_singular(&mut self, w: &str) -> Option<ScanStep> {
         if self.nouns.last().is_none_or(|n| n.1) {
             return None;
         }
@@ -149,7 +149,7 @@ impl Scan<'_> {
         let several = count.map_or(bare || !self.article, |n| n > 1) && (count.is_some() || bare || !is_verb);
         if tail_here(here, several) {
             self.name(1, plural(w));
-            return Some(Step::Go);
+            return Some(ScanStep::Go);
         }
         // "a lamp casts light", "a vanity spans the wall": after "a", what ends so is a verb, known or not.
         let one = self.article && !(self.counted && count != Some(1));
@@ -159,14 +159,14 @@ impl Scan<'_> {
         };
         let noun = longest_noun(here);
         let acts = plural(w) && (one || (noun.is_none() || is_verb) && goes_on());
-        (acts && self.noun_end > 0 && !(one && noun.is_some_and(|(_, n)| n > 1))).then_some(Step::Stop)
+        (acts && self.noun_end > 0 && !(one && noun.is_some_and(|(_, n)| n > 1))).then_some(ScanStep::Stop)
     }
 
     /// The longest noun of the tables that begins here.
-    fn noun_of_the_tables(&mut self, _: &str) -> Option<Step> {
+    fn noun_of_the_tables(&mut self, _: &str) -> Option<ScanStep> {
         let (used, here) = (self.used, self.from(self.used));
         if self.text(used) == "side" && self.text(used + 1) == "by" && self.text(used + 2) == "side" {
-            return Some(Step::Stop);
+            return Some(ScanStep::Stop);
         }
         let mut table = longest_noun(here);
         // "a fern plant stands near the window": not two plant stands.
@@ -184,7 +184,7 @@ impl Scan<'_> {
         // "a chest of drawers" is one.
         let many = plural(self.text(if phrase.contains(" of ") { used } else { used + n - 1 }));
         if n == 1 && self.nouns.is_empty() && stops_here(here, self.expects_noun() || self.listed) {
-            return Some(Step::Stop);
+            return Some(ScanStep::Stop);
         }
         // "the window side": by the window.
         let side = phrase == "window" && matches!(self.text(used + n), "side" | "front" | "wall");
@@ -194,10 +194,10 @@ impl Scan<'_> {
         }
         self.used += n + usize::from(side);
         self.noun_end = self.used;
-        Some(if many && longest_noun(self.from(self.used)).is_none() { Step::Stop } else { Step::Go })
+        Some(if many && longest_noun(self.from(self.used)).is_none() { ScanStep::Stop } else { ScanStep::Go })
     }
 
-    fn look(&mut self, _: &str) -> Option<Step> {
+    fn look(&mut self, _: &str) -> Option<ScanStep> {
         let used = self.used;
         // "A wine cellar" is no red one.
         let (kind, n) = look_at(self.from(used)).filter(|(_, n)| room_here(self.from(used)).is_none_or(|m| m <= *n))?;
@@ -205,23 +205,23 @@ impl Scan<'_> {
         if self.nouns.is_empty() || before_noun(after) {
             // "standing there", "double": only before something
             self.add_look(kind, n);
-            return Some(Step::Go);
+            return Some(ScanStep::Go);
         }
         // "a massage stone lies near the soap"
         let named = self.article
             && self.noun_end > 0
-            && kind == Look::Material
+            && kind == LookWord::Material
             && longest_noun(&self.rest[used - 1..used]).is_none()
             && (self.lexicon.verb(after).is_some() || self.lexicon.relation(after).is_some());
         if !named {
-            return Some(Step::Stop);
+            return Some(ScanStep::Stop);
         }
         self.name(n, false);
-        Some(Step::Go)
+        Some(ScanStep::Go)
     }
 
     /// "on your left", "the back wall", "the room center"
-    fn place(&mut self, w: &str) -> Option<Step> {
+    fn place(&mut self, w: &str) -> Option<ScanStep> {
         let used = self.used;
         let next = self.text(used + 1);
         if matches!(w, "left" | "right")
@@ -235,7 +235,7 @@ impl Scan<'_> {
         if tells_which(w) && leads_to_place(self.from(used)) {
             self.np.which.push(w.to_owned());
             self.used += 1;
-            return Some(Step::Go);
+            return Some(ScanStep::Go);
         }
         if let Some(found) = place(w).filter(|_| self.may_be_place(w))
             && (!before_noun(self.from(used + 1)) || matches!(found, Place::Middle | Place::Row))
@@ -264,14 +264,14 @@ impl Scan<'_> {
                 || matches!(w, "walls" | "corners" | "rows"))
     }
 
-    fn is_place(&mut self, found: Place, word: &str, n: usize) -> Step {
-        self.np.kind = Kind::Place(found);
+    fn is_place(&mut self, found: Place, word: &str, n: usize) -> ScanStep {
+        self.np.kind = NounKind::Place(found);
         self.np.words = vec![singular(word)];
-        Step::Found(self.used + n)
+        ScanStep::Found(self.used + n)
     }
 
     /// Room names of several words: "living room".
-    fn room(&mut self, _: &str) -> Option<Step> {
+    fn room(&mut self, _: &str) -> Option<ScanStep> {
         let n = room_here(self.from(self.used))?;
         let after = longest_noun(self.from(self.used + n));
         // "a laundry hamper" is no room.
@@ -283,10 +283,10 @@ impl Scan<'_> {
         let first = self.used;
         self.name(n, false);
         if self.is_in_another(first) {
-            return Some(Step::Go);
+            return Some(ScanStep::Go);
         }
         let ends = after.is_none() && !more && !before_noun(self.from(self.used));
-        Some(if ends { Step::Stop } else { Step::Go })
+        Some(if ends { ScanStep::Stop } else { ScanStep::Go })
     }
 
     /// "an attic bedroom", "a hotel gym": the second name of a room says what it is. A kitchen dining room is both.
@@ -298,17 +298,17 @@ impl Scan<'_> {
     }
 
     /// "a tool wall", "six wall panels": things.
-    fn wall(&mut self, w: &str) -> Option<Step> {
+    fn wall(&mut self, w: &str) -> Option<ScanStep> {
         let of_wall = self.np.det == Det::Indefinite && !self.nouns.is_empty() && self.is_known()
             || self.np.count.is_some_and(|n| n > 1) && self.rest.get(self.used + 1).is_some_and(|t| plural(&t.text));
         (w == "wall" && of_wall).then(|| {
             self.name(1, false);
-            Step::Go
+            ScanStep::Go
         })
     }
 
     /// After the noun a clause of its own begins: "a lamp shaped like …", "the bookshelf lines the wall".
-    fn clause_of_its_own(&mut self, w: &str) -> Option<Step> {
+    fn clause_of_its_own(&mut self, w: &str) -> Option<ScanStep> {
         let lexicon = self.lexicon;
         let after = self.from(self.used + 1);
         let adverb = matches!(w, "anywhere" | "everywhere" | "somewhere" | "elsewhere");
@@ -321,7 +321,7 @@ impl Scan<'_> {
                     || self.article && w.ends_with("ing") && lexicon.verb(after).is_none())
         };
         let verbal = || self.is_verbal() && self.noun_end > 0 && self.is_known();
-        (stops || participle() || verbal()).then_some(Step::Stop)
+        (stops || participle() || verbal()).then_some(ScanStep::Stop)
     }
 
     /// Whether a relation or a verb begins here.
@@ -331,7 +331,7 @@ impl Scan<'_> {
     }
 
     /// "the atmosphere", "the conversation area"
-    fn of_no_thing(&mut self, w: &str) -> Option<Step> {
+    fn of_no_thing(&mut self, w: &str) -> Option<ScanStep> {
         let begun = self.begun || self.counted;
         let modifies = begun
             && self.rest.get(self.used + 1).is_some_and(|n| {
@@ -341,22 +341,22 @@ impl Scan<'_> {
             return None;
         }
         if !begun {
-            return Some(if self.nouns.is_empty() { Step::Nothing } else { Step::Stop });
+            return Some(if self.nouns.is_empty() { ScanStep::Nothing } else { ScanStep::Stop });
         }
         if self.noun_end > 0 && self.nouns.len() > 1 {
-            return Some(Step::Stop);
+            return Some(ScanStep::Stop);
         }
         // "a glass top"
-        let material = |n: &&(String, bool)| self.lexicon.look(&n.0) == Some(Look::Material);
+        let material = |n: &&(String, bool)| self.lexicon.look(&n.0) == Some(LookWord::Material);
         let found = self.nouns.iter().find(material).map(|n| n.0.clone());
         self.np.look.material = self.np.look.material.take().or(found);
-        self.np.kind = Kind::Abstract;
+        self.np.kind = NounKind::Abstract;
         self.np.words = vec![singular(w)];
-        Some(Step::Found(self.used + 1))
+        Some(ScanStep::Found(self.used + 1))
     }
 
     /// Words that hold sentences together end the name, and so do adverbs after it.
-    fn grammar(&mut self, w: &str) -> Option<Step> {
+    fn grammar(&mut self, w: &str) -> Option<ScanStep> {
         let (lexicon, here, after) = (self.lexicon, self.from(self.used), self.from(self.used + 1));
         let space = lexicon.is(w, Class::Space);
         let grammar = self.is_verbal()
@@ -375,20 +375,20 @@ impl Scan<'_> {
             && longest_noun(after).is_some();
         let grammar = grammar && !modifier || !self.nouns.is_empty() && fixed(here).is_some();
         if grammar && !(space && before_noun(after)) {
-            return Some(Step::Stop);
+            return Some(ScanStep::Stop);
         }
         if !w.ends_with("ly") || w.len() <= 4 {
             return None;
         }
         if !self.nouns.is_empty() || !self.expects_noun() {
-            return Some(Step::Stop);
+            return Some(ScanStep::Stop);
         }
         self.used += 1;
-        Some(Step::Go)
+        Some(ScanStep::Go)
     }
 
     /// A word that no table has: part of a name where a noun phrase has begun or is expected.
-    fn unknown(&mut self, w: &str) -> Step {
+    fn unknown(&mut self, w: &str) -> ScanStep {
         let (lexicon, after) = (self.lexicon, self.from(self.used + 1));
         let room = lexicon.room(w).is_some() || lexicon.room(&singular(w)).is_some();
         let begun = self.begun || self.counted;
@@ -396,18 +396,18 @@ impl Scan<'_> {
         let verbal = self.nouns.is_empty() && !begun && (w.ends_with("ing") || w.ends_with("ed"));
         if !context || verbal || w.chars().count() < 2 || self.nouns.len() > 5 || self.nouns.last().is_some_and(|n| n.1)
         {
-            return Step::Stop;
+            return ScanStep::Stop;
         }
         let unknown_follows = || after.first().is_some_and(|t| t.word() && !lexicon.known(&t.text));
         if self.nouns.is_empty() && adjective(w) && (before_noun(after) || leads_to_noun(after) || unknown_follows()) {
-            self.add_look(Look::Feature, 1);
-            return Step::Go;
+            self.add_look(LookWord::Feature, 1);
+            return ScanStep::Go;
         }
         // After a known noun in the singular an unknown word may go on only if more of the name follows.
         if self.noun_end > 0 && !(begun || plural(w) || before_noun(after)) {
-            return Step::Stop;
+            return ScanStep::Stop;
         }
         self.name(1, plural(w));
-        Step::Go
+        ScanStep::Go
     }
 }

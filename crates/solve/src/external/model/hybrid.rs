@@ -3,7 +3,7 @@
 use super::{Asking, ModelProposer, Tally};
 use crate::external::steps::Steps;
 use crate::pipeline::{solve, solve_with};
-use crate::problem::{Options, Outcome, Problem, Progress, What};
+use crate::problem::{Options, Outcome, Problem, Progress, TermSubject};
 use scenelang_lang::Program;
 use scenelang_lang::program::ConstraintKind;
 use scenelang_llm::Model;
@@ -77,7 +77,9 @@ pub(super) fn badness(program: &Program, outcome: &Outcome) -> (usize, f64, f64)
     let (mut count, mut amount, mut weight) = (0, 0.0, 0.0);
     for failing in &outcome.unsatisfied {
         match &failing.what {
-            What::Stated(index) if let ConstraintKind::Prefer { weight: w } = program.constraints[*index].kind => {
+            TermSubject::Stated(index)
+                if let ConstraintKind::Prefer { weight: w } = program.constraints[*index].kind =>
+            {
                 weight += w;
             }
             _ => {

@@ -7,7 +7,7 @@ mod prompt;
 use crate::external::steps::Proposer;
 use crate::external::view::{Concern, Move, Proposal, View};
 pub use hybrid::{Finisher, Hybrid, hybrid};
-use prompt::{Answer, Moved};
+use prompt::{Moved, ProposedMoves};
 use scenelang_llm::{Error, Message, Model, Request, Role, plain, typed};
 
 /// Seeds that every provider takes: 31 bits.
@@ -117,7 +117,7 @@ impl Proposer for ModelProposer<'_> {
         self.tally.rounds += 1;
         let request = self.request(view, batch);
         self.refused.clear();
-        let answer = match typed::<Answer>(self.model, &request) {
+        let answer = match typed::<ProposedMoves>(self.model, &request) {
             Ok(answer) => answer,
             Err(error) => {
                 // Of an answer that is no answer the next may be better; what else is wrong stays wrong.

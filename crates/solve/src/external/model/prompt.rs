@@ -2,7 +2,7 @@
 //! must look like.
 
 use crate::external::view::{Concern, View};
-use crate::problem::What;
+use crate::problem::TermSubject;
 use scenelang_lang::program::{ConstraintKind, RegionId};
 use scenelang_layout::Vec3;
 use scenelang_llm::Schema;
@@ -45,7 +45,7 @@ pub(super) struct Moved {
 /// An answer.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Answer {
+pub(super) struct ProposedMoves {
     pub moves: Vec<Moved>,
 }
 
@@ -119,23 +119,23 @@ pub(super) fn describe(view: &View<'_>, batch: &[Concern], refused: &[String]) -
 fn concern(view: &View<'_>, concern: &Concern, objects: bool) -> Value {
     let mut out = Map::new();
     let (text, requirements) = match &concern.what {
-        What::Stated(index) => {
+        TermSubject::Stated(index) => {
             let constraint = &view.program().constraints[*index];
             (constraint.text.clone(), constraint.requirements.as_slice())
         }
-        What::Collision(a, b) => (format!("{a} and {b} do not overlap"), &[][..]),
-        What::Bounds(a) => (format!("{a} is inside a region"), &[][..]),
-        What::Open(a, met) => {
+        TermSubject::Collision(a, b) => (format!("{a} and {b} do not overlap"), &[][..]),
+        TermSubject::Bounds(a) => (format!("{a} is inside a region"), &[][..]),
+        TermSubject::Open(a, met) => {
             let met = met.as_ref().map_or(String::new(), |met| format!(", which `{met}` keeps it from"));
             (format!("what of {a} has to open does{met}"), &[][..])
         }
-        What::Support(a) => (format!("{a} rests on the floor or on something"), &[][..]),
+        TermSubject::Support(a) => (format!("{a} rests on the floor or on something"), &[][..]),
     };
     out.insert("constraint".into(), text.into());
     if !requirements.is_empty() {
         out.insert("requirements".into(), requirements.into());
     }
-    if let What::Stated(index) = concern.what
+    if let TermSubject::Stated(index) = concern.what
         && let ConstraintKind::Prefer { weight } = view.program().constraints[index].kind
     {
         out.insert("preference_of_weight".into(), weight.into());
@@ -183,7 +183,7 @@ mod tests {
     fn what_the_schema_allows_is_read_and_nothing_else() {
         let place = json!({ "x": 1, "y": 0.5, "z": -2 });
         let good = json!({ "moves": [{ "object": "a", "reason": null, "pos": place, "rot": place }] });
-        let read = |v: Value| serde_json::from_value::<Answer>(v);
+        let read = |v: Value| serde_json::from_value::<ProposedMoves>(v);
         assert_eq!(read(good.clone()).unwrap().moves[0].pos.vector(), Vec3::new(1.0, 0.5, -2.0));
         assert_eq!(read(json!({ "moves": [] })).unwrap().moves, []);
         // Beyond the schema, but not to be misunderstood: numbers in a row.

@@ -5,7 +5,7 @@ use super::ruin::Lineage;
 use super::{Home, LocalSearch};
 use rand_chacha::ChaCha8Rng;
 use scenelang_engine::limit::Limit;
-use scenelang_engine::trial::{Inputs, Room};
+use scenelang_engine::trial::{Inputs, RoomBox};
 
 /// So many steps without a new best, and all begins anew, in a room that is full: per object, and per root of the number
 /// of objects, whichever is less. Large scenes are better begun anew than waited for.
@@ -231,7 +231,7 @@ impl LocalSearch<'_> {
 
     /// Of all rooms, zones within them not counted again (m²).
     fn floor_area(&self) -> f64 {
-        let is_zone = |room: &&Room| {
+        let is_zone = |room: &&RoomBox| {
             self.trial.rooms.iter().any(|other| other.area > room.area && other.field.contains(&room.field))
         };
         self.trial.rooms.iter().filter(|room| !is_zone(room)).map(|room| room.area).sum()

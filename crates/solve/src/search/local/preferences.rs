@@ -53,7 +53,7 @@ impl Standing {
 }
 
 /// A layout: where everything is, and the corridors that are planned.
-pub(super) struct Found {
+pub(super) struct FoundLayout {
     poses: Vec<Inputs>,
     groups: Vec<PathGroup>,
 }
@@ -168,12 +168,12 @@ impl LocalSearch<'_> {
     }
 
     /// Where everything is.
-    pub(super) fn found(&self) -> Found {
-        Found { poses: self.trial.everything(), groups: self.trial.groups.clone() }
+    pub(super) fn found(&self) -> FoundLayout {
+        FoundLayout { poses: self.trial.everything(), groups: self.trial.groups.clone() }
     }
 
     /// Puts everything where it was.
-    pub(super) fn show(&mut self, found: &Found) {
+    pub(super) fn show(&mut self, found: &FoundLayout) {
         self.trial.put_everything(&found.poses);
         self.trial.groups.clone_from(&found.groups);
         self.trial.judge_all();

@@ -2,7 +2,7 @@
 
 use super::{Home, LocalSearch};
 use scenelang_engine::frame::{Frame, Hold};
-use scenelang_engine::trial::{Field, Room, Stretch, inside_of, stretches};
+use scenelang_engine::trial::{Field, RoomBox, Stretch, inside_of, stretches};
 use scenelang_lang::program::{Formula, Node, ObjectId, ObjectProperty, RegionId};
 use scenelang_verify::World;
 
@@ -80,7 +80,7 @@ impl LocalSearch<'_> {
             None => {
                 let mut walls = field.walls();
                 let known = self.trial.frame.regions[id.0 as usize].iter().filter_map(|r| self.trial.room(*r));
-                let outlined = |room: &&Room| room.outline.is_some();
+                let outlined = |room: &&RoomBox| room.outline.is_some();
                 walls.extend(known.filter(outlined).flat_map(|room| room.walls.iter().copied()));
                 Home::Stands(walls)
             }
