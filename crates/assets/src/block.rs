@@ -22,7 +22,6 @@ impl Block {
     pub fn size(self) -> Vec3 {
         self.max - self.min
     }
-    /// Centre.
     pub fn center(self) -> Vec3 {
         (self.min + self.max) / 2.0
     }
@@ -56,7 +55,6 @@ impl Block {
         let by = Vec3::new(x, y, z).zip_map(&self.size(), |b, s| b.min(0.45 * s));
         Self { min: self.min + by, max: self.max - by }
     }
-    /// Moved.
     pub fn moved(self, x: f64, y: f64, z: f64) -> Self {
         let by = Vec3::new(x, y, z);
         Self { min: self.min + by, max: self.max + by }

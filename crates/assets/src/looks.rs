@@ -81,7 +81,6 @@ const FINISHES: &[(Finish, &str, f32, f32, f32)] = &[
 pub(crate) struct Stuff(pub Finish, pub u32);
 
 impl Stuff {
-    /// Its surface.
     pub fn surface(self) -> Surface {
         surface(self.0, rgb(self.1))
     }
@@ -126,7 +125,6 @@ pub(crate) fn rgb(hex: u32) -> Rgb {
     [hex >> 16, hex >> 8, hex].map(|c| (c & 0xff) as f32 / 255.0)
 }
 
-/// The surface of a finish in a colour.
 pub(crate) fn surface(finish: Finish, color: Rgb) -> Surface {
     let (_, name, roughness, metallic, opacity) = FINISHES[finish as usize];
     let [r, g, b] = color.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8);

@@ -104,7 +104,6 @@ impl Dice {
     pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
         lo + (hi - lo) * self.unit()
     }
-    /// One of some.
     pub fn pick<'a, T>(&mut self, from: &'a [T]) -> &'a T {
         &from[((self.unit() * from.len() as f64) as usize).min(from.len() - 1)]
     }

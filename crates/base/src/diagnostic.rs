@@ -47,7 +47,6 @@ pub enum Applicability {
 pub struct Edit<P = Span> {
     /// What is replaced (empty: insert).
     pub place: P,
-    /// By what.
     pub text: String,
 }
 

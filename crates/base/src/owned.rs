@@ -183,7 +183,6 @@ fn key(path: &Path) -> String {
 /// A file that is there and may be somebody's work.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InTheWay {
-    /// The file.
     pub path: PathBuf,
     /// Why it is not replaced.
     pub why: Why,

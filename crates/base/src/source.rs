@@ -57,7 +57,6 @@ impl TextRange {
 /// A place in a file: an absolute range of bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Span {
-    /// The file.
     pub file: FileId,
     /// Bytes from the start of that file.
     pub range: TextRange,
@@ -142,7 +141,6 @@ impl SourceFile {
             line_text.char_indices().nth(at.column.saturating_sub(1) as usize).map_or(line_text.len(), |(i, _)| i);
         Some((start + skipped + within) as u32)
     }
-    /// The text of a range.
     pub fn slice(&self, range: TextRange) -> &str {
         self.text.get(range.bytes()).unwrap_or("")
     }
@@ -191,7 +189,6 @@ impl SourceMap {
         let file = self.get(span.file);
         (file.position(span.range.start), file.position(span.range.end))
     }
-    /// The text of a span.
     pub fn text(&self, span: Span) -> &str {
         self.get(span.file).slice(span.range)
     }

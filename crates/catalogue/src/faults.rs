@@ -7,7 +7,6 @@ use std::io::{self, ErrorKind};
 /// Why a file cannot be used.
 pub(crate) type Fault = Box<Diagnostic>;
 
-/// A fault with this code.
 pub(crate) fn fault(code: Code, message: impl Into<String>) -> Fault {
     Box::new(Diagnostic::without_place(code, message))
 }

@@ -176,7 +176,6 @@ impl Catalogue {
         Ok(bytes)
     }
 
-    /// The model in a file.
     pub(crate) fn model_of(&self, entry: &Entry, bytes: Vec<u8>) -> Result<CatalogueModel, Fault> {
         let path = self.folder.join(&entry.file);
         let raw = match entry.kind {

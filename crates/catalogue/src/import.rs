@@ -24,9 +24,7 @@ pub struct Imported {
 pub struct Kept {
     /// Its file, below that of the catalogue; the card is beside it.
     pub name: String,
-    /// The GLB file.
     pub glb: Vec<u8>,
-    /// The card.
     pub card: Value,
     /// How many convex parts it has.
     pub parts: usize,

@@ -126,7 +126,6 @@ fn relaxed(reading: &Reading) -> usize {
     reading.draft.statements.iter().filter(stated).count()
 }
 
-/// The brief in a file.
 fn brief(path: &Path) -> Result<Brief, String> {
     json::read(&text(path)?)
         .map_err(|why| format!("{} is not a brief: {why}; `scenelang schema brief` prints its schema", path.display()))
@@ -136,7 +135,6 @@ fn brief(path: &Path) -> Result<Brief, String> {
 pub struct Understood {
     /// What became of its clauses, or its sentences where a model was asked.
     pub reading: Reading,
-    /// The program.
     pub program: String,
     /// What went wrong with the model, or when it was tried.
     pub diagnostics: Vec<String>,

@@ -80,7 +80,6 @@ fn file_name(command: &Command) -> String {
     name.strip_prefix("scenelang ").unwrap_or(name).replace(' ', "-")
 }
 
-/// The command of some words.
 fn find<'c>(whole: &'c Command, words: &[String]) -> Result<&'c Command, String> {
     words.iter().try_fold(whole, |command, word| {
         command.find_subcommand(word).ok_or_else(|| {

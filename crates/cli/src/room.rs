@@ -17,13 +17,11 @@ use std::path::{Path, PathBuf};
 
 /// A layout with its program, checked.
 pub struct CheckedLayout {
-    /// The layout file.
     pub path: PathBuf,
     /// All files read, and what holds.
     pub checked: Checked,
     /// How it was judged.
     pub options: Options,
-    /// Its program.
     pub program: Program,
     /// Where everything is.
     pub layout: Layout,

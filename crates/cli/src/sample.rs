@@ -23,7 +23,6 @@ const FORMAT: &str = "scenelang.samples/1";
 const PIECE: u64 = 1_000;
 /// The part of the usual work that goes into proofs before anything is drawn; where no layout is found, more is tried.
 const CHEAP: u64 = 6;
-/// The file of the report.
 const REPORT: &str = "report.json";
 
 /// Draws and writes; 0 if all samples for whose draws there is a layout are stored, 1 if there is none.

@@ -15,7 +15,6 @@ pub struct Refused {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// The settings for the file of a door.
 pub fn find(door: &Door, loader: &dyn Loader) -> FileSettings {
     FileSettings::of(door, loader, |path| shown(path).display().to_string())
 }

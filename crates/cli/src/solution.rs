@@ -98,7 +98,6 @@ pub fn named(found: &JudgedLayout) -> impl Iterator<Item = (String, &str)> {
     list.map(|(_, c)| (report::statement_id(&report.file, sources, c.span), c.text.as_str()))
 }
 
-/// As JSON.
 pub fn json(file: &str, solved: &Solved, files: &[PathBuf]) -> Value {
     let end = match solved.first.outcome.end {
         _ if solved.first.layout().incomplete => "interrupted",

@@ -6,7 +6,6 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table with a head.
     pub fn new(head: &[&str]) -> Self {
         Self { rows: vec![head.iter().map(|s| (*s).to_owned()).collect()] }
     }

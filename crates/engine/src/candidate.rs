@@ -112,7 +112,6 @@ impl<'a> Candidate<'a> {
         state
     }
 
-    /// The layout.
     pub fn layout(&self) -> &State {
         &self.layout
     }
@@ -120,11 +119,9 @@ impl<'a> Candidate<'a> {
     pub fn world(&self) -> &World<f64> {
         self.layout.world()
     }
-    /// The pose of an object.
     pub fn pose(&self, id: ObjectId) -> Pose {
         self.layout.pose(id).expect("every object of the program is in the world")
     }
-    /// The pose of a region.
     pub fn region_pose(&self, id: RegionId) -> Pose {
         self.layout.region_pose(id).expect("every region of the program is in the world")
     }
@@ -136,7 +133,6 @@ impl<'a> Candidate<'a> {
     pub fn is_placed(&self, id: ObjectId) -> bool {
         self.placed[id.0 as usize]
     }
-    /// Objects that have a place.
     pub fn placed(&self) -> impl Iterator<Item = ObjectId> + '_ {
         self.frame.objects().filter(|id| self.is_placed(*id))
     }

@@ -21,7 +21,6 @@ pub struct Reads {
 }
 
 impl Reads {
-    /// Of a formula.
     pub fn of(formula: &Formula) -> Self {
         let mut reads = Self { objects: formula.objects(), sizes_only: true, ..Self::default() };
         for node in &formula.nodes {
@@ -82,7 +81,6 @@ impl Index {
         index
     }
 
-    /// Of the constraints of a program.
     pub fn of_constraints(program: &Program) -> Self {
         let reads: Vec<Reads> = program.constraints.iter().map(|c| Reads::of(&c.formula)).collect();
         Self::new(program, &reads)

@@ -6,7 +6,6 @@ use scenelang_lang::program::{ObjectId, RegionId, VariableId};
 use scenelang_verify::vector::V3;
 use scenelang_verify::{Number, Value, World};
 
-/// See the file.
 #[derive(Debug)]
 pub struct Mirror<N: Number> {
     world: World<N>,
@@ -36,7 +35,6 @@ impl<N: Number> Mirror<N> {
         &self.world
     }
 
-    /// An object has moved.
     pub fn moved(&mut self, id: ObjectId) {
         if self.is_stale.get_mut(id.0 as usize).is_some_and(|stale| !std::mem::replace(stale, true)) {
             self.stale.push(id);

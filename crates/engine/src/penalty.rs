@@ -40,13 +40,10 @@ impl<N: Number> Truths<N> for Scratch<N> {
 
 /// A formula as last evaluated.
 pub struct Penalty<'a, N: Number, T: Truths<N>> {
-    /// The formula.
     pub formula: &'a Formula,
     /// The values of its nodes.
     pub values: &'a T,
-    /// Tolerances.
     pub tolerances: &'a Tolerances,
-    /// What numbers are.
     pub numbers: PhantomData<N>,
 }
 

@@ -17,7 +17,6 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// That of an object in an instance.
     pub fn of<N: Number>(thing: &ObjectInstance<N>) -> Self {
         Self { pos: thing.pos.value(), rot: thing.rot.value(), scale: thing.scale.value() }
     }

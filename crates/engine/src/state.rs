@@ -14,7 +14,6 @@ enum Before {
     Variable(VariableId, Result<Value<f64>, Cause>),
 }
 
-/// See the file.
 #[derive(Debug)]
 pub struct State {
     world: World<f64>,

@@ -10,12 +10,10 @@ pub struct Expectation {
     /// The kind of building: apartment, mall, office, …
     #[serde(default)]
     pub building: String,
-    /// Its rooms.
     pub rooms: Vec<ExpectedRoom>,
     /// Doors and windows.
     #[serde(default)]
     pub connections: Vec<Connection>,
-    /// Its objects.
     pub objects: Vec<ExpectedThing>,
     /// What is asked of their places.
     pub relations: Vec<Relation>,
@@ -23,10 +21,8 @@ pub struct Expectation {
     pub numeric: Vec<Number>,
 }
 
-/// A room.
 #[derive(Clone, Debug, Deserialize)]
 pub struct ExpectedRoom {
-    /// Its name.
     pub name: String,
     /// What it is, in words.
     #[serde(default)]
@@ -48,7 +44,6 @@ pub struct Connection {
 /// An object, or several that are alike.
 #[derive(Clone, Debug, Deserialize)]
 pub struct ExpectedThing {
-    /// Its name.
     pub name: String,
     /// How many. 0: there must be none. `None`: the request does not say.
     pub count: Option<u32>,
@@ -120,9 +115,7 @@ fn metres() -> String {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
 pub enum OneOrSeveral {
-    /// One.
     One(String),
-    /// Several.
     Several(Vec<String>),
 }
 

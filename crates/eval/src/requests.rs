@@ -86,7 +86,6 @@ impl Case {
 /// The cases of a folder, in the order of their names.
 #[derive(Clone, Debug, Default)]
 pub struct Requests {
-    /// The cases.
     pub cases: Vec<Case>,
 }
 

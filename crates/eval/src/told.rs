@@ -18,7 +18,6 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct ProgramOutline {
     /// Its objects by name: an array is one, and so is a series `chair1`, `chair2`, ….
     pub things: Vec<Named>,
-    /// Its regions.
     pub regions: Vec<Called>,
     /// Its assertions, preferences and assignments of places and sizes.
     pub statements: Vec<Statement>,
@@ -74,7 +73,6 @@ pub struct Said {
 pub enum Argument {
     /// Objects of one name.
     Thing(usize),
-    /// A region.
     Region(usize),
 }
 

@@ -16,7 +16,6 @@ pub struct OutFile {
 }
 
 impl OutFile {
-    /// A file.
     pub fn new(path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) -> Self {
         Self { path: path.into(), bytes: bytes.into() }
     }

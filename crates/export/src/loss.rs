@@ -8,7 +8,6 @@ use std::fmt;
 pub struct Loss {
     /// The format: `sdf`.
     pub format: &'static str,
-    /// What is lost.
     pub what: Lost,
 }
 

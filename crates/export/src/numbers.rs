@@ -3,7 +3,6 @@
 /// Rounding leaves such traces (metres, radians); they are written as 0.
 const NOTHING: f64 = 1e-12;
 
-/// A number.
 pub(crate) fn number(v: f64) -> String {
     // Adding 0 turns -0 into 0.
     if v.abs() < NOTHING { "0".into() } else { (v + 0.0).to_string() }

@@ -17,7 +17,6 @@ pub type Parts = BTreeMap<String, String>;
 /// Which parts of a scene a format shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shows {
-    /// All of them.
     #[default]
     All,
     /// What can be seen and touched, but no text and no verdict.

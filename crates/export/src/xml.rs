@@ -45,7 +45,6 @@ impl Xml {
         let _ = writeln!(self.out, ">{}</{tag}>", escaped(text));
     }
 
-    /// A comment.
     pub fn comment(&mut self, text: &str) {
         self.indent();
         let _ = writeln!(self.out, "<!-- {} -->", escaped(text).replace("--", "- -"));

@@ -11,7 +11,6 @@ use std::collections::BTreeMap;
 /// The height of the rooms of a house of which nobody says any.
 const HEIGHT: f64 = 2.6;
 
-/// A house.
 #[derive(Debug, Default)]
 pub(crate) struct House {
     pub rooms: Vec<HouseRoom>,
@@ -51,7 +50,6 @@ impl House {
     }
 }
 
-/// A room.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HouseRoom {
     /// What the file calls it.

@@ -31,7 +31,6 @@ pub const MAX_BYTES: usize = 16 << 20;
 /// Corners of rooms times things: what is beyond is no house.
 const MOST_WORK: usize = 50_000_000;
 
-/// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
     /// A house of AI2-THOR, as ProcTHOR and Holodeck write it.
@@ -99,7 +98,6 @@ fn whole(text: &str, file: FileId) -> Result<Option<JsonNode>, Box<Diagnostic>> 
 /// What a file says, as a program and a layout. As a [`Loader`] it gives the program, as if it stood beside the layout.
 #[derive(Clone, Debug)]
 pub struct Foreign {
-    /// What the file is.
     pub kind: FileKind,
     /// How to call the layout in messages: as a file below the one that was read.
     pub layout_name: String,
@@ -107,9 +105,7 @@ pub struct Foreign {
     pub layout_path: PathBuf,
     /// The path of the program.
     pub main: PathBuf,
-    /// The program.
     pub program: String,
-    /// The layout.
     pub layout: String,
     /// What was filled in, and what was not taken over.
     pub notes: Vec<Diagnostic>,

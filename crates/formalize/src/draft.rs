@@ -83,13 +83,11 @@ pub struct Opening {
     pub rooms: Vec<usize>,
     /// Width, height, depth in metres.
     pub size: [f64; 3],
-    /// Its looks.
     pub look: Look,
     /// Where it comes from.
     pub source: ThingOrigin,
 }
 
-/// What kind of opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpeningKind {
     /// To walk through.
@@ -111,7 +109,6 @@ pub struct DraftThing {
     pub room: Option<usize>,
     /// Width, height, depth in metres, as far as the request gives them.
     pub size: Option<[f64; 3]>,
-    /// Its looks.
     pub look: Look,
     /// Where it comes from.
     pub source: ThingOrigin,

@@ -16,7 +16,6 @@ pub enum Rule {
     Symbol(&'static str),
     /// One after the other.
     Seq(Vec<Self>),
-    /// One of them.
     Choice(Vec<Self>),
     /// At most once.
     Optional(Box<Self>),
@@ -28,7 +27,6 @@ pub enum Rule {
     Alias(Box<Self>, &'static str),
     /// How tightly it binds.
     Prec(Associativity, i32, Box<Self>),
-    /// One token.
     Token(Box<Self>),
     /// One token without a blank before it.
     Immediate(Box<Self>),

@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shared {
     symbol: Symbol,
-    /// Its name.
     name: String,
     /// The file of its declaration.
     pub path: PathBuf,

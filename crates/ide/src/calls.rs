@@ -23,13 +23,11 @@ pub enum CallNode {
 /// A node with where it is shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Item {
-    /// What it is.
     pub node: CallNode,
     /// How it is called.
     pub name: String,
     /// All of it.
     pub range: TextRange,
-    /// Its name.
     pub name_range: TextRange,
 }
 

@@ -29,23 +29,18 @@ pub enum Sort {
     Keyword,
     /// An object or an array.
     Object,
-    /// A region.
     Region,
     /// A variable, or a name that a statement binds.
     Variable,
     /// A property, or a component.
     Property,
-    /// A function.
     Function,
-    /// A predicate.
     Predicate,
-    /// A type.
     Type,
     /// A side, or another word that is a value.
     Constant,
     /// A unit behind a number.
     Unit,
-    /// A colour.
     Color,
     /// Other text.
     Text,
@@ -53,12 +48,10 @@ pub enum Sort {
     File,
 }
 
-/// A proposal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proposal {
     /// What is shown.
     pub label: String,
-    /// What it is.
     pub sort: Sort,
     /// A little more: a type.
     pub detail: String,

@@ -75,7 +75,6 @@ fn conjuncts(stmt: &Stmt, id: ExprId, out: &mut Vec<TextRange>) {
     out.extend(found.into_iter().rev());
 }
 
-/// The conditions that a formula is a conjunction of.
 fn conditions(formula: &Formula, id: NodeId, out: &mut Vec<NodeId>) {
     let mut left = vec![id];
     while let Some(id) = left.pop() {

@@ -96,7 +96,6 @@ pub fn name_at(snapshot: &Snapshot, file: FileId, offset: u32) -> Result<Option<
     Ok(at(&all, offset).cloned())
 }
 
-/// The occurrence at an offset.
 pub(crate) fn at(all: &[Occurrence], offset: u32) -> Option<&Occurrence> {
     let holds = |o: &&Occurrence| o.range.start <= offset && offset < o.range.end;
     all.iter().find(holds).or_else(|| all.iter().find(|o| o.range.end == offset))

@@ -11,14 +11,10 @@ use scenelang_lang::syntax;
 use scenelang_lang::token::Kind;
 use scenelang_layout::file as layout_file;
 
-/// What is folded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fold {
-    /// A statement.
     Statement,
-    /// Comments.
     Comment,
-    /// Imports.
     Imports,
     /// From a heading to the next: a comment such as `// ---- Doors ----`.
     Section,
@@ -100,9 +96,7 @@ pub fn linked(snapshot: &Snapshot, offset: u32) -> Result<Vec<TextRange>, Cancel
 /// Where a link leads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Link {
-    /// To an imported file.
     Import(FileId),
-    /// To the layout.
     Layout,
 }
 

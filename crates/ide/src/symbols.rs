@@ -11,15 +11,11 @@ use scenelang_lang::parse::parse_file;
 /// What a symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sort {
-    /// An object.
     Object,
     /// An array of objects.
     Array,
-    /// A region.
     Region,
-    /// A variable.
     Variable,
-    /// A predicate.
     Predicate,
     /// An assertion or a preference.
     Constraint,
@@ -30,7 +26,6 @@ pub enum Sort {
 pub struct Entry {
     /// How it is called; a constraint by its text.
     pub name: String,
-    /// What it is.
     pub sort: Sort,
     /// Its whole statement.
     pub range: TextRange,

@@ -13,7 +13,6 @@ macro_rules! legend {
     ($($name:ident $word:literal)*) => {
         /// What a token is to a reader.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "the words of the protocol")]
         pub enum TokenType { $($name),* }
         /// The words of the protocol for these, in the same order.
         pub const TYPES: &[&str] = &[$($word),*];
@@ -39,7 +38,6 @@ const READONLY: u32 = 16;
 pub struct Token {
     /// Its bytes.
     pub range: TextRange,
-    /// What it is.
     pub ty: TokenType,
     /// Bits of [`MODIFIERS`].
     pub modifiers: u32,

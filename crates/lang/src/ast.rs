@@ -11,7 +11,6 @@ pub struct ExprId(pub u32);
 /// A name as written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// Its text.
     pub text: SmolStr,
     /// Where.
     pub range: TextRange,
@@ -35,7 +34,6 @@ pub struct Stmt {
 }
 
 impl Stmt {
-    /// The expression of an id.
     pub fn expr(&self, id: ExprId) -> &Expr {
         &self.exprs[id.0 as usize]
     }
@@ -46,11 +44,9 @@ impl Stmt {
 pub enum StmtKind {
     /// `object lamp`, `entity lamp`, `object chair[6]`, `region room`, `Number gap`, …
     Declare {
-        /// The type word.
         ty: TypeWord,
         /// Where it stands.
         ty_range: TextRange,
-        /// The name.
         name: Name,
         /// The size of an array.
         size: Option<ExprId>,
@@ -69,35 +65,22 @@ pub enum StmtKind {
         value: ExprId,
     },
     /// `assert φ`
-    Assert {
-        /// φ
-        formula: ExprId,
-    },
+    Assert { formula: ExprId },
     /// `prefer φ weight n`
     Prefer {
-        /// φ
         formula: ExprId,
         /// n
         weight: Option<ExprId>,
     },
     /// `allowCollide(a, b)`, `allowOutside(a)`, `allowFloat(a)`
     Allow {
-        /// Which.
         rule: Allow,
-        /// The word.
         word: TextRange,
         /// Its arguments, any number.
         args: Vec<ExprId>,
     },
     /// `predicate near(Object a, …) := φ`
-    Predicate {
-        /// Its name.
-        name: Name,
-        /// Its parameters.
-        params: Vec<Param>,
-        /// φ
-        body: ExprId,
-    },
+    Predicate { name: Name, params: Vec<Param>, body: ExprId },
     /// `import "path.scene"`
     Import {
         /// The path as written.
@@ -114,15 +97,12 @@ pub enum StmtKind {
 /// A parameter of a predicate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Param {
-    /// Its type.
     pub ty: TypeWord,
     /// Where the type stands.
     pub ty_range: TextRange,
-    /// Its name.
     pub name: Name,
 }
 
-/// Words for types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TypeWord {
     /// `object` (also `entity`); as a parameter's type `Object`.
@@ -160,10 +140,8 @@ pub enum Allow {
     Float,
 }
 
-/// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// What it is.
     pub kind: ExprKind,
     /// Where, parentheses around it not counted.
     pub range: TextRange,
@@ -222,7 +200,6 @@ pub enum BinaryOp {
     Implies,
 }
 
-/// Quantifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantifier {
     /// `forall x in S: φ`
@@ -233,7 +210,6 @@ pub enum Quantifier {
     Count,
 }
 
-/// What an expression is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// `2`, `30cm`: the value as written, and its unit.

@@ -22,7 +22,6 @@ pub struct Options {
 pub struct Compiled {
     /// All files read.
     pub sources: SourceMap,
-    /// The main file.
     pub main: FileId,
     /// The program, if there is no error.
     pub program: Option<Program>,

@@ -33,18 +33,15 @@ pub struct Item<'a> {
     pub place: Located<'a>,
     /// The declared name.
     pub span: Span,
-    /// What it is.
     pub kind: ItemKind,
 }
 
 /// Kinds of declared names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ItemKind {
-    /// One object.
     Object,
     /// An array of objects and its size.
     Array(u32),
-    /// A region.
     Region,
     /// A variable of a type.
     Variable(Ty),
@@ -67,9 +64,7 @@ impl ItemKind {
 pub struct Predicate<'a> {
     /// Its definition.
     pub place: Located<'a>,
-    /// Its name.
     pub name: &'a SmolStr,
-    /// Its parameters.
     pub params: &'a [Param],
     /// Its body, in the statement's expressions.
     pub body: ExprId,
@@ -105,7 +100,6 @@ pub struct AssignKey {
     pub name: SmolStr,
     /// Which element of an array.
     pub element: Option<u32>,
-    /// The property.
     pub property: SmolStr,
 }
 

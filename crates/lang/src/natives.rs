@@ -10,7 +10,6 @@ use scenelang_base::suggest::nearest;
 /// One signature; a name may have several.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Signature {
-    /// Its name.
     pub name: &'static str,
     /// Parameter types. `Ty::Literal` stands for "a Number or a Degree, all alike".
     pub params: &'static [Ty],
@@ -186,7 +185,6 @@ built_ins! {
 }
 
 impl BuiltIn {
-    /// Its signatures.
     pub fn signatures(self) -> impl Iterator<Item = &'static Signature> {
         BUILT_INS.iter().filter(move |s| s.built_in == Some(self))
     }
@@ -194,7 +192,6 @@ impl BuiltIn {
     pub const fn is_predicate(self) -> bool {
         matches!(self.result(), Ty::Bool)
     }
-    /// The built-in of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|b| b.name() == name)
     }
@@ -248,7 +245,6 @@ impl Signature {
 /// What can be read of an object or a region by `.name`.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Property {
-    /// Its name.
     pub name: &'static str,
     /// Its type.
     pub ty: Ty,

@@ -6,13 +6,10 @@ use std::sync::OnceLock;
 /// What a thing stands on, or hangs from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stands {
-    /// The floor.
     Floor,
     /// The floor, with its back at a wall.
     Back,
-    /// A wall.
     Wall,
-    /// The ceiling.
     Ceiling,
     /// The top of another thing.
     Top,
@@ -33,7 +30,6 @@ pub struct Noun {
     pub name: &'static str,
     /// Usual width, height and depth in metres.
     pub size: [f64; 3],
-    /// What it stands on.
     pub stands: Stands,
     /// Whether one side is its front.
     pub front: bool,

@@ -112,7 +112,6 @@ impl Region {
 /// A decision variable.
 #[derive(Clone, Debug)]
 pub struct Variable {
-    /// Its name.
     pub name: SmolStr,
     /// What it holds.
     pub kind: VariableKind,
@@ -170,7 +169,6 @@ pub struct DrawnText {
     pub owner: Owner,
     /// Its name: `color`, `floorMaterial`.
     pub property: SmolStr,
-    /// The draw.
     pub draw: DrawId,
     /// What it chooses from.
     pub texts: Vec<String>,
@@ -265,7 +263,6 @@ pub struct Guideline {
     pub of: Option<ObjectId>,
 }
 
-/// What kind of constraint it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConstraintKind {
     /// `assert`.
@@ -284,7 +281,6 @@ pub enum ConstraintKind {
 pub struct Pin {
     /// Whose property.
     pub owner: Owner,
-    /// Which.
     pub property: Pinned,
     /// Vector for `pos` and `scale`, rotation for `rot`; for `vertices` one vector per vertex (y ignored).
     pub values: Vec<Formula>,
@@ -295,9 +291,7 @@ pub struct Pin {
 /// Owner of a pinned property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Owner {
-    /// An object.
     Object(ObjectId),
-    /// A region.
     Region(RegionId),
 }
 
@@ -351,7 +345,6 @@ pub struct Allowance {
 /// An object held by a wall or a ceiling.
 #[derive(Clone, Debug)]
 pub struct Mount {
-    /// The object.
     pub object: ObjectId,
     /// The region whose wall or ceiling holds it.
     pub region: RegionId,
@@ -366,14 +359,12 @@ pub struct Mount {
 pub enum MountedOn {
     /// A wall of the region.
     Wall,
-    /// Its ceiling.
     Ceiling,
 }
 
 /// A door or opening in the wall of one region (to the outside) or shared by two.
 #[derive(Clone, Debug)]
 pub struct Door {
-    /// The object.
     pub object: ObjectId,
     /// One side.
     pub first: RegionId,
@@ -384,7 +375,6 @@ pub struct Door {
 /// A value or a truth as an acyclic graph: children stand before parents, equal nodes are shared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
-    /// The nodes.
     pub nodes: Vec<Node>,
     /// Where each node came from, relative to the start of the constraint's span (for inlined definitions and library
     /// predicates: the place that uses them). Same length as `nodes`.
@@ -394,11 +384,9 @@ pub struct Formula {
 }
 
 impl Formula {
-    /// The node of an id.
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0 as usize]
     }
-    /// The root node.
     pub fn root_node(&self) -> &Node {
         self.node(self.root)
     }
@@ -434,9 +422,7 @@ pub enum Node {
     Vector([NodeId; 3]),
     /// A rotation from three numbers, degrees: about x, then z, then y, fixed axes.
     Rotation([NodeId; 3]),
-    /// A property of an object.
     Object(ObjectProperty, ObjectId),
-    /// A property of a region.
     Region(RegionProperty, RegionId),
     /// A decision variable; its kind is that of the variable (a Bool is a discrete truth).
     Variable(VariableId),
@@ -553,9 +539,7 @@ impl Node {
 /// An argument of a built-in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arg {
-    /// An object.
     Object(ObjectId),
-    /// A region.
     Region(RegionId),
     /// A number or a vector.
     Value(NodeId),
@@ -611,7 +595,6 @@ pub enum RegionProperty {
     Center,
 }
 
-/// Arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Arith {
     /// `+`
@@ -627,11 +610,8 @@ pub enum Arith {
 /// A component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Axis {
-    /// x
     X,
-    /// y
     Y,
-    /// z
     Z,
 }
 
@@ -640,7 +620,6 @@ pub enum Axis {
 pub enum Unit {
     /// Metres and plain numbers.
     Metre,
-    /// Degrees.
     Degree,
 }
 

@@ -12,7 +12,6 @@ use scenelang_base::TextRange;
 /// A token: what it is, and its bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
     pub kind: Kind,
     /// Its bytes, relative to the text that was lexed.
     pub range: TextRange,
@@ -23,7 +22,6 @@ pub struct Token {
 pub enum Class {
     /// Between tokens.
     Blank,
-    /// A comment.
     Comment,
     /// A comment that documents.
     Documentation,
@@ -35,7 +33,6 @@ pub enum Class {
     Text,
     /// A word that says what is declared: `object`, `predicate`.
     Declaration,
-    /// A type.
     Type,
     /// A word that makes a sentence: `assert`, `forall`, `where`.
     Keyword,
@@ -70,7 +67,6 @@ pub enum Class {
 /// A kind of token: how it is written, and what it is to a reader.
 #[derive(Debug)]
 pub struct TokenRow {
-    /// The kind.
     pub kind: Kind,
     /// What it is to a reader.
     pub class: Class,

@@ -11,7 +11,6 @@ pub enum Ty {
     Literal,
     /// A number: metres or plain.
     Number,
-    /// Degrees.
     Degree,
     /// A condition.
     Bool,
@@ -25,9 +24,7 @@ pub enum Ty {
     Material,
     /// Text.
     String,
-    /// One object.
     Object,
-    /// One region.
     Region,
     /// A set of objects.
     Objects,
@@ -44,7 +41,6 @@ pub enum Ty {
 }
 
 impl Ty {
-    /// A type word as a type.
     pub fn of(word: TypeWord) -> Self {
         match word {
             TypeWord::Object => Self::Object,

@@ -14,7 +14,6 @@ use std::sync::Arc;
 /// What a line of documentation begins with that is a template.
 pub const MARK: &str = "Measured:";
 
-/// A template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Template {
     /// Its pieces, in order.
@@ -23,7 +22,6 @@ pub struct Template {
     pub names: Vec<SmolStr>,
 }
 
-/// A piece of a template.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TemplatePiece {
     /// Text as it stands.
@@ -53,11 +51,8 @@ pub enum Term {
 /// What a name of a template stands for in a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Named {
-    /// An object.
     Object(ObjectId),
-    /// A region.
     Region(RegionId),
-    /// A constant.
     Constant(f64, Unit),
     /// A number that the formula computes.
     Node(NodeId, Unit),
@@ -68,7 +63,6 @@ pub enum Named {
 pub struct Wording {
     /// The comparison.
     pub node: NodeId,
-    /// The template.
     pub template: Arc<Template>,
     /// What its names stand for, in their order.
     pub named: Box<[Named]>,

@@ -22,18 +22,15 @@ pub struct Layout {
     pub categories: BTreeMap<SmolStr, SmolStr>,
     /// Placed regions by name.
     pub regions: Vec<(SmolStr, RegionPlacement)>,
-    /// Values of decision variables.
     pub variables: Vec<(SmolStr, DecisionValue)>,
     /// Recorded draws by key.
     pub draws: Vec<(String, f64)>,
 }
 
 impl Layout {
-    /// The placement of an object.
     pub fn object(&self, name: &str) -> Option<&Placement> {
         self.objects.iter().find(|(n, _)| n == name).map(|(_, p)| p)
     }
-    /// The placement of a region.
     pub fn region(&self, name: &str) -> Option<&RegionPlacement> {
         self.regions.iter().find(|(n, _)| n == name).map(|(_, p)| p)
     }
@@ -121,7 +118,6 @@ impl Motion {
 /// A convex part, in the frame of its object (origin: centre of the bottom face).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Part {
-    /// A box.
     Box {
         /// Its centre.
         pos: Vec3,
@@ -134,7 +130,6 @@ pub enum Part {
     Cylinder {
         /// Its centre.
         pos: Vec3,
-        /// Radius.
         radius: f64,
         /// Full height.
         height: f64,
@@ -166,7 +161,6 @@ pub struct RegionPlacement {
 pub enum DecisionValue {
     /// Number or Degree.
     Number(f64),
-    /// Bool.
     Bool(bool),
     /// Vector3, or Rotation as an Euler triple.
     Triple([f64; 3]),

@@ -135,7 +135,6 @@ impl Polygon {
         }
         inside
     }
-    /// The clearance of a point.
     pub fn clearance_of_point(&self, p: Vec2) -> Clearance {
         let (edge, wall) = self.nearest_edge(p);
         let distance = (p - wall).norm();

@@ -86,7 +86,6 @@ impl Aabb {
     pub fn distance(&self, other: &Self) -> f64 {
         self.distance_squared(other).sqrt()
     }
-    /// The square of it.
     pub fn distance_squared(&self, other: &Self) -> f64 {
         (self.min - other.max).sup(&(other.min - self.max)).sup(&Vec3::zeros()).norm_squared()
     }

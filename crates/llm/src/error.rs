@@ -16,7 +16,6 @@ pub enum Error {
     Limited {
         /// How long it wants to be left alone.
         wait: Option<Duration>,
-        /// What it said.
         said: String,
     },
     /// The provider has a problem of its own.
@@ -25,14 +24,12 @@ pub enum Error {
         status: u16,
         /// How long it wants to be left alone.
         wait: Option<Duration>,
-        /// What it said.
         said: String,
     },
     /// The provider does not accept the request, and would not the next time.
     Refused {
         /// The status of HTTP.
         status: u16,
-        /// What it said.
         said: String,
     },
     /// The provider does not know this part of a request; from now on it is left out.

@@ -102,7 +102,6 @@ impl Price {
 /// What was spent. Shown, it is the summary of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spent {
-    /// The model.
     pub model: String,
     /// Requests over the network, those that failed included.
     pub calls: u64,

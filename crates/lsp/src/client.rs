@@ -6,7 +6,6 @@ use serde_json::Value;
 /// Which language model may be asked. No file of a workspace says so.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Models {
-    /// None.
     #[default]
     None,
     /// The editor's own.

@@ -28,7 +28,6 @@ pub struct Context {
     pub uri: Uri,
     /// Where it is.
     pub path: PathBuf,
-    /// Its text.
     pub text: Arc<Text>,
     /// What is known of it.
     pub snapshot: Snapshot,

@@ -31,7 +31,6 @@ pub struct OpenDocument {
     pub path: PathBuf,
     /// What the editor counts.
     pub version: i32,
-    /// Its text.
     pub text: Arc<Text>,
     /// What can be said of it, if it is a program.
     pub scene: Option<OpenScene>,
@@ -211,7 +210,6 @@ impl Documents {
     pub fn get_mut(&mut self, uri: &str) -> Option<&mut OpenDocument> {
         self.open.get_mut(uri)
     }
-    /// The document of a path.
     pub fn at(&self, path: &Path) -> Option<&OpenDocument> {
         self.open.values().find(|document| document.path == path)
     }

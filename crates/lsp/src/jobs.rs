@@ -37,13 +37,11 @@ pub struct Job {
     pub main: FileId,
     /// Where it is.
     pub path: PathBuf,
-    /// Its layout.
     pub layout: Option<Arc<LayoutFile>>,
     /// Where that is, or would be.
     pub layout_path: Option<PathBuf>,
     /// Where everything is in the room that is shown as long as there is no layout.
     pub provisional: Option<Arc<Layout>>,
-    /// How it is judged.
     pub judging: Judging,
     /// Which language model is asked.
     pub llm: Llm,
@@ -142,7 +140,6 @@ impl Job {
 
 /// Another text for the layout.
 pub struct LayoutEdit {
-    /// Its file.
     pub path: PathBuf,
     /// The address of that.
     pub uri: Uri,

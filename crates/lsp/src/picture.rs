@@ -16,7 +16,6 @@ use std::path::Path;
 pub struct Picture<'a> {
     /// The file of the program.
     pub path: &'a Path,
-    /// The program.
     pub program: &'a Program,
     /// Its files, and that of its layout.
     pub sources: &'a SourceMap,

@@ -19,12 +19,10 @@ pub struct Proofs {
 }
 
 impl Proofs {
-    /// Marks in a text.
     pub fn new(marks: Vec<Value>, text: Arc<Text>) -> Self {
         Self { marks, text }
     }
 
-    /// The marks.
     pub fn marks(&self) -> &[Value] {
         &self.marks
     }

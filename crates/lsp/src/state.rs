@@ -49,7 +49,6 @@ pub enum Event {
     Request {
         /// Its number for it.
         id: Id,
-        /// What.
         method: String,
         /// About what.
         params: Value,
@@ -58,7 +57,6 @@ pub enum Event {
     },
     /// The client tells.
     Notification {
-        /// What.
         method: String,
         /// About what.
         params: Value,

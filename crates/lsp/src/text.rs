@@ -62,7 +62,6 @@ pub struct Text {
 }
 
 impl Text {
-    /// A text.
     pub fn new(text: String) -> Self {
         let starts = starts(&text);
         Self { text, starts }
@@ -86,7 +85,6 @@ impl Text {
         TextRange { start, end: start + line.len() as u32 }
     }
 
-    /// The line that an offset is in.
     pub fn line_of(&self, offset: u32) -> u32 {
         self.starts.partition_point(|start| *start <= offset) as u32 - 1
     }
@@ -109,7 +107,6 @@ impl Text {
         Position { line: number, character: encoding.len(before) }
     }
 
-    /// Bytes of a range.
     pub fn bytes(&self, range: Range, encoding: Encoding) -> TextRange {
         let [a, b] = [range.start, range.end].map(|at| self.offset(at, encoding));
         TextRange { start: a.min(b), end: a.max(b) }

@@ -13,7 +13,6 @@ pub enum Trace {
     Off,
     /// What is done.
     Messages,
-    /// And with what.
     Verbose,
 }
 

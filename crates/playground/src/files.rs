@@ -8,7 +8,6 @@ use std::path::Path;
 pub struct Alone<'a> {
     /// Its name, which is its path.
     pub name: &'a str,
-    /// Its text.
     pub text: &'a str,
 }
 

@@ -56,7 +56,6 @@ fn entropy(counts: impl Iterator<Item = u64> + Clone) -> f64 {
     counts.filter(|n| *n > 0).map(|n| -part(n) * part(n).log2()).sum::<f64>() + 0.0
 }
 
-/// See the file.
 #[derive(Clone, Debug, Default)]
 pub struct Coverage {
     /// Samples asked for.

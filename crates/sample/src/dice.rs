@@ -11,7 +11,6 @@ pub fn seed_of(seed: u64, index: u64) -> u64 {
     generator.next_u64() >> 11
 }
 
-/// See the file.
 pub struct Dice(ChaCha8Rng);
 
 impl Dice {

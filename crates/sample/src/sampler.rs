@@ -51,7 +51,6 @@ pub struct Settings {
 pub struct Drawn {
     /// Its number.
     pub index: u64,
-    /// Its seed.
     pub seed: u64,
     /// What `rand` and `oneOf` gave it.
     pub draws: Vec<(String, f64)>,

@@ -4,7 +4,6 @@ use scenelang_engine::frame::Frame;
 use scenelang_engine::frame::checks::{Check, Numbering};
 use scenelang_lang::Program;
 
-/// Kinds of moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveKind {
     /// A step aside, of any size.
@@ -54,7 +53,6 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Of a program.
     pub fn new(program: &Program) -> Self {
         Self { refused: vec![0; program.constraints.len() + RULES.len()], ..Self::default() }
     }

@@ -46,7 +46,6 @@ impl Values {
         }
     }
 
-    /// As JSON.
     pub fn json(&self, key: &str) -> Value {
         match self {
             Self::Choice(names) => json!({

@@ -148,7 +148,6 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Options for a question.
     fn question(&self) -> Options {
         let [least, each] = QUESTION;
         let most = least + each * self.setup.frame.program.objects.len() as u64;

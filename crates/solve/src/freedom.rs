@@ -22,9 +22,7 @@ const TURNS: [f64; 5] = [2.0, -2.0, 90.0, 180.0, 270.0];
 /// What is open about an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Freedom {
-    /// Which.
     pub object: ObjectId,
-    /// Its name.
     pub name: String,
     /// How far it could move along x, y, z: backwards and forwards, metres, up to [`FAR`].
     pub moves: [[f64; 2]; 3],

@@ -12,7 +12,6 @@ use scenelang_layout::Layout;
 /// Whoever only asks whether everything holds need not know how much more room than this there is before what opens (metres).
 const CLEARANCE: f64 = 0.01;
 
-/// See the file.
 pub struct Ground<'a> {
     setup: Setup<'a>,
 }

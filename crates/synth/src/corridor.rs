@@ -71,7 +71,6 @@ pub struct LayoutRequest<'a> {
 
 /// A language model that proposes moves, and how it is asked.
 pub struct Adviser<'m> {
-    /// The model.
     pub model: &'m mut dyn Model,
     /// k, T, temperature and the rest.
     pub asking: Asking,
@@ -123,13 +122,11 @@ pub trait Observer {
     fn solving(&mut self, progress: &Progress);
 }
 
-/// A layout, judged.
 #[derive(Debug)]
 pub struct JudgedLayout {
     /// Where everything is, and how the solver got there; as far as it got, if it was asked to end
     /// ([`Layout::incomplete`]).
     pub outcome: Outcome,
-    /// The layout file.
     pub text: String,
     /// The judgement of that file, by the same code as `scenelang check`.
     pub checked: Checked,

@@ -37,7 +37,6 @@ pub struct Furnished {
 /// What an object was given, and by whom.
 #[derive(Clone, Debug)]
 pub struct Chosen {
-    /// The object.
     pub object: String,
     /// What it was given.
     pub choice: Choice,

@@ -9,10 +9,8 @@ use scenelang_layout::Layout;
 /// What must not be moved. A name is that of an object (`chair[2]`) or of an array (`chair`: all its elements).
 #[derive(Clone, Copy, Debug, Default)]
 pub enum Hold<'a> {
-    /// Nothing.
     #[default]
     Nothing,
-    /// These.
     These(&'a [String]),
     /// All but these.
     AllBut(&'a [String]),

@@ -170,7 +170,6 @@ impl Algebra for f64 {
 /// A value with its derivatives by K unknowns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<const K: usize> {
-    /// The value.
     pub value: f64,
     /// Its partial derivatives.
     pub slope: [f64; K],

@@ -109,7 +109,6 @@ impl Habits {
 pub enum Met {
     /// Another object.
     Object(ObjectId),
-    /// A wall of a region.
     Wall(RegionId),
 }
 

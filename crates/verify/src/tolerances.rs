@@ -34,7 +34,6 @@ impl Tolerances {
     /// What each is called in settings and reports.
     pub const NAMES: [&str; 7] = ["equal", "angle", "order", "contact", "support", "level", "door"];
 
-    /// The tolerance of a name.
     pub fn named(&mut self, name: &str) -> Option<&mut f64> {
         Some(match name {
             "equal" => &mut self.equal,
@@ -77,7 +76,6 @@ impl Opens {
 /// How to judge, and what to report.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Tolerances.
     pub tolerances: Tolerances,
     /// Thickness of the walls of a room (metres).
     pub eta: f64,

@@ -86,7 +86,6 @@ pub enum Verdict {
     None,
 }
 
-/// A requirement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Requirement {
     /// The sentence, or the reason.
@@ -97,16 +96,13 @@ pub struct Requirement {
     pub verdict: Verdict,
     /// Objects and regions declared for it.
     pub declares: Vec<String>,
-    /// What is stated for it.
     pub statements: Vec<Statement>,
 }
 
-/// A statement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Statement {
     /// As in reports: `room.scene:12:1`.
     pub id: String,
-    /// What it is.
     pub kind: StatementKind,
     /// As written, on one line.
     pub text: String,
@@ -121,7 +117,6 @@ pub struct Statement {
     pub unit: Option<String>,
 }
 
-/// What a statement is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum StatementKind {
@@ -140,7 +135,6 @@ pub enum StatementKind {
 /// An object, or a region.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TracedThing {
-    /// Its name.
     pub name: String,
     /// `object` or `region`.
     pub kind: String,

@@ -41,7 +41,6 @@ impl<N: Algebra> V3<N> {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
-    /// Length.
     pub fn length(self) -> N {
         self.dot(self).sqrt()
     }

@@ -39,7 +39,6 @@ pub struct World<N: Algebra> {
     pub(crate) walks: Walks,
 }
 
-/// An object in an instance.
 #[derive(Clone, Debug)]
 pub struct ObjectInstance<N: Algebra> {
     /// Centre of the bottom face (metres).
@@ -243,7 +242,6 @@ impl<N: Algebra> ObjectInstance<N> {
     }
 }
 
-/// A region in an instance.
 #[derive(Clone, Debug)]
 pub struct RegionInstance<N: Algebra> {
     /// Centre of the rectangle's floor (metres).

@@ -85,7 +85,6 @@ pub(super) fn blade(mesh: &mut Mesh, middle: Vec3, [wide, long]: [f64; 2], thick
     mesh.extrude(1, &outline, middle.y - thick / 2.0..middle.y + thick / 2.0, s);
 }
 
-/// A surface of a finish and a colour.
 pub(super) fn of(finish: Finish, color: u32) -> Surface {
     Stuff(finish, color).surface()
 }

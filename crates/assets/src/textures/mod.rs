@@ -68,7 +68,6 @@ pub struct Pixels {
     pub normal: Vec<[u8; 3]>,
     /// Factor of the roughness, 0 to 1 as 0 to 255.
     pub rough: Vec<u8>,
-    /// Its mean.
     pub rough_mean: f32,
 }
 

@@ -37,7 +37,6 @@ pub struct Record {
 /// A step, which happens as a whole or not at all.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ChangeStep<'a> {
-    /// A file is written.
     Write(PathBuf, Cow<'a, [u8]>),
     /// A file is removed, and the folders that are empty without it.
     Remove(PathBuf),

@@ -24,9 +24,7 @@ pub struct Query {
     pub what: String,
     /// The category as the program has it.
     pub category: String,
-    /// A colour.
     pub color: String,
-    /// A material.
     pub material: String,
     /// Free words.
     pub features: String,
@@ -199,7 +197,6 @@ pub trait AssetProvider: fmt::Debug + Send + Sync {
 pub struct Choice {
     /// Who gave it.
     pub provider: String,
-    /// What.
     pub given: Given,
     /// What was not used before: who, and why.
     pub passed: Vec<(String, Remark)>,

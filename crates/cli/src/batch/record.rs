@@ -35,14 +35,12 @@ pub enum FailureKind {
 /// What went wrong, in a sentence or several.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Trouble {
-    /// Its kind.
     pub kind: FailureKind,
     /// What happened.
     pub message: String,
 }
 
 impl Trouble {
-    /// Of a kind.
     pub fn new(kind: FailureKind, message: impl Into<String>) -> Self {
         Self { kind, message: message.into() }
     }
@@ -110,7 +108,6 @@ impl Record {
     }
 }
 
-/// The file of a record.
 pub fn path(folder: &Path, name: &str) -> PathBuf {
     folder.join(format!("{name}.result.json"))
 }
@@ -120,7 +117,6 @@ pub fn scene_of(name: &str) -> String {
     format!("{name}.scene")
 }
 
-/// The file of a layout.
 pub fn layout_of(name: &str) -> String {
     format!("{name}.layout.json")
 }

@@ -7,7 +7,6 @@ use std::time::Duration;
 
 /// The runs of one family.
 pub struct Family<'a> {
-    /// Its name.
     pub name: &'a str,
     /// How many problems.
     pub problems: usize,

@@ -41,14 +41,11 @@ pub enum TrialEnd {
     Refuted(Vec<Vec<String>>),
 }
 
-/// One run.
 #[derive(Clone, Debug)]
 pub struct BenchRun {
     /// The problem's name.
     pub problem: String,
-    /// Its family.
     pub family: String,
-    /// The seed.
     pub seed: u64,
     /// How many objects it has.
     pub objects: usize,

@@ -54,7 +54,6 @@ impl ToolAnswer {
 /// What a tool says, or why it could not do its work and what to do about it.
 pub type Answered = Result<ToolAnswer, String>;
 
-/// A tool.
 pub struct Spec {
     /// As it is called.
     pub name: &'static str,

@@ -182,7 +182,6 @@ struct Drag {
     steps: Sender<Step>,
 }
 
-/// One step of a drag.
 struct Step {
     object: ObjectId,
     pos: [f64; 3],

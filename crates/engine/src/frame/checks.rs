@@ -48,7 +48,6 @@ impl Numbering {
         let (low, high) = (a.min(b).0 as usize, a.max(b).0 as usize);
         self.terms + 2 * self.objects + high * (high - 1) / 2 + low
     }
-    /// The check of an index.
     pub fn check(&self, index: usize) -> Check {
         let object = |i: usize| ObjectId(i as u32);
         let Some(rest) = index.checked_sub(self.terms) else { return Check::Term(index) };

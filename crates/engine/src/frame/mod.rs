@@ -40,7 +40,6 @@ pub enum Hold {
     Ceiling(RegionId),
     /// It sits in the wall of one region, or in that of two.
     Door(RegionId, Option<RegionId>),
-    /// It is in a container.
     Container(ObjectId),
     /// It may float.
     Floats,
@@ -48,7 +47,6 @@ pub enum Hold {
 
 /// What stays the same during a search.
 pub struct Frame<'a> {
-    /// The program.
     pub program: &'a Program,
     /// Its constraints, taken apart.
     pub terms: Vec<Term>,
@@ -58,7 +56,6 @@ pub struct Frame<'a> {
     pub holds: Vec<Hold>,
     /// By object: which come first in a placement.
     pub priority: Vec<f64>,
-    /// By region.
     pub region_pins: Vec<Pins>,
     /// What the program fixes of objects, given the rest.
     pub rules: Rules,
@@ -163,7 +160,6 @@ impl<'a> Frame<'a> {
         let is_open = |(region, pins): (&Region, &Pins)| !(region.has_vertices || pins.pos && pins.scale);
         std::iter::zip(&self.program.regions, &self.region_pins).any(is_open)
     }
-    /// The name of an object.
     pub fn name(&self, id: ObjectId) -> &str {
         &self.program.objects[id.0 as usize].name
     }

@@ -32,7 +32,6 @@ pub enum Sets {
 pub struct Rule {
     /// Whose.
     pub owner: ObjectId,
-    /// What.
     pub sets: Sets,
     /// By which value.
     pub formula: Formula,
@@ -59,7 +58,6 @@ impl Fixed {
 }
 
 impl Rule {
-    /// Of a formula.
     pub fn new(owner: ObjectId, sets: Sets, formula: Formula) -> Self {
         let mut reads = Reads::of(&formula);
         reads.objects.retain(|o| *o != owner);
@@ -110,9 +108,7 @@ pub fn pins(program: &Program) -> Vec<Rule> {
 /// Something that a rule can read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RuleSource {
-    /// An object.
     Object(ObjectId),
-    /// A region.
     Region(RegionId),
     /// A decision variable.
     Variable(VariableId),
@@ -120,7 +116,6 @@ pub enum RuleSource {
 
 /// Rules in an order in which each comes after those that it depends on.
 pub struct Rules {
-    /// The rules.
     pub list: Vec<Rule>,
     /// By object.
     pub fixed: Vec<Fixed>,

@@ -40,7 +40,6 @@ impl Consequences {
     }
 }
 
-/// See the file.
 pub(super) struct Stage<'a> {
     pub program: &'a Program,
     state: State,

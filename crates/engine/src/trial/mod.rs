@@ -57,7 +57,6 @@ pub enum Judge {
     PathGroup(usize),
     /// It asks for one of the paths that another term answers for.
     Shared(usize),
-    /// By its code.
     Code(Coded),
     /// By its code as far as that goes, and by the evaluator.
     Mixed(Mixed),

@@ -91,7 +91,6 @@ impl Wall {
 /// A region.
 #[derive(Clone, Debug)]
 pub struct RoomBox {
-    /// Which.
     pub id: RegionId,
     /// The rectangle around it.
     pub field: Field,

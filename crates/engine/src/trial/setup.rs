@@ -67,7 +67,6 @@ impl Trial<'_> {
         yaws_that_hold(self.frame, world, id, &[])
     }
 
-    /// The room of a region.
     pub fn room(&self, id: RegionId) -> Option<&RoomBox> {
         self.rooms.iter().find(|room| room.id == id)
     }

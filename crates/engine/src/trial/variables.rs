@@ -45,7 +45,6 @@ impl Variables {
         self.kinds.len()
     }
 
-    /// Of what kind one is.
     pub fn kind(&self, v: usize) -> VariableKind {
         self.kinds[v]
     }
@@ -85,7 +84,6 @@ impl Trial<'_> {
         values.iter().enumerate().for_each(|(v, value)| self.put_variable(v, *value));
     }
 
-    /// The variables and their values.
     pub fn values(&self) -> impl Iterator<Item = (VariableId, Value<f64>)> + '_ {
         (0..self.variables.kinds.len()).map(|v| (VariableId(v as u32), self.value(v)))
     }

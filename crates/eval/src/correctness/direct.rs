@@ -53,7 +53,6 @@ pub struct Answered {
     pub refused: usize,
 }
 
-/// The question for a scene.
 pub fn question(scene: &DatasetScene, program: &Program, seed: u64) -> Request {
     let start = super::problem(program, seed).start;
     let rooms = scene.rooms.iter().map(|room| json!({ "name": room.name, "x": room.x, "size": room.size }));

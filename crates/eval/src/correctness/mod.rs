@@ -64,7 +64,6 @@ fn plain() -> scenelang_verify::Options {
 /// A program with its layout.
 #[derive(Debug)]
 pub struct Laid {
-    /// The program.
     pub program: Program,
     /// The best layout that the solver found.
     pub layout: Layout,

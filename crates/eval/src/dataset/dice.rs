@@ -3,7 +3,6 @@
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 
-/// See the file.
 pub(crate) struct Dice(ChaCha8Rng);
 
 impl Dice {

@@ -162,7 +162,6 @@ fn attributes(dice: &mut Dice) -> Vec<(&'static str, &'static str, &'static str)
     all.into_iter().map(|a| (a.what, *dice.one(&a.values), *dice.one(&a.phrases))).collect()
 }
 
-/// What a room has.
 fn furnish(dice: &mut Dice, things: &mut Vec<PlannedThing>, room: usize, kind: &RoomPool) {
     let begun = things.len();
     let wanted = dice.between(THINGS[0], THINGS[1]) as u32;

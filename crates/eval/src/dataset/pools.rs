@@ -8,7 +8,6 @@ use std::sync::OnceLock;
 pub(crate) enum ThingPlace {
     /// Its back at a wall.
     Wall,
-    /// In a corner.
     Corner,
     /// In the middle of the room.
     Middle,
@@ -18,7 +17,6 @@ pub(crate) enum ThingPlace {
     Row,
     /// On a wall.
     Hung,
-    /// At the ceiling.
     Ceiling,
     /// On the top of another thing.
     On(&'static str),
@@ -94,7 +92,6 @@ impl ThingPlace {
 pub(crate) struct Item {
     /// At most so many.
     pub most: u32,
-    /// What.
     pub noun: &'static str,
     /// Where.
     pub place: ThingPlace,
@@ -114,7 +111,6 @@ pub(crate) struct RoomPool {
 pub(crate) struct Building {
     /// What it is called.
     pub name: &'static str,
-    /// Its rooms.
     pub kinds: Vec<RoomPool>,
 }
 

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// A scene of the dataset.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DatasetScene {
@@ -18,13 +17,10 @@ pub struct DatasetScene {
     pub format: String,
     /// Its name, and that of its files.
     pub id: String,
-    /// The seed of the dataset.
     pub seed: u64,
-    /// Its number in the dataset.
     pub number: u64,
     /// What kind of building it is in.
     pub building: String,
-    /// Its rooms.
     pub rooms: Vec<RoomRecord>,
     /// Doors and windows.
     pub connections: Vec<Connection>,
@@ -44,12 +40,10 @@ pub struct DatasetScene {
     /// How much of what must hold does in the layout.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub held: Option<Held>,
-    /// The layout, as the layout file has it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layout: Option<Value>,
 }
 
-/// A room.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RoomRecord {
@@ -89,7 +83,6 @@ pub struct Object {
     pub noun: String,
     /// How many.
     pub count: u32,
-    /// The room.
     pub room: String,
     /// Colour, material, feature; empty where nothing is said.
     pub look: [String; 3],
@@ -117,7 +110,6 @@ pub struct Relation {
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Held {
-    /// Of the relations.
     pub relations: [usize; 2],
     /// Of all that must hold: relations, the other assertions, physical rules.
     pub all: [usize; 2],
@@ -155,7 +147,6 @@ impl DatasetScene {
         self.relations.iter().map(|relation| relation.formulas.len()).sum()
     }
 
-    /// Its line.
     pub fn line(&self) -> Result<String, String> {
         serde_json::to_string(self).map(|line| line + "\n").map_err(|e| e.to_string())
     }

@@ -8,10 +8,8 @@ use super::program::Stated;
 /// So many kinds of things are named in the short version.
 const NAMED: usize = 6;
 
-/// The words of a scene.
 #[derive(Debug, Default)]
 pub(crate) struct SceneWords {
-    /// The request.
     pub request: String,
     /// The same with `_` for whatever is filled in: what of it is the grammar's.
     pub skeleton: String,
@@ -47,7 +45,6 @@ impl Text {
     }
 }
 
-/// Words of a plan.
 pub(crate) fn tell(dice: &mut Dice, plan: &Plan, stated: &[Stated]) -> SceneWords {
     let mut told = SceneWords::default();
     let mut text = Text::default();

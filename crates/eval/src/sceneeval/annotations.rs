@@ -24,7 +24,6 @@ pub struct Benchmark {
 pub struct AnnotatedRequest {
     /// Letters, digits, `-` and `_`.
     pub id: String,
-    /// The request.
     pub description: String,
     /// `easy`, `medium` or `hard`, or whatever the file says.
     pub difficulty: String,
@@ -39,7 +38,6 @@ pub struct Annotation {
     pub how: How,
     /// How many.
     pub number: usize,
-    /// What of.
     pub says: Says,
     /// As written in the file.
     pub text: String,
@@ -52,11 +50,9 @@ pub enum How {
     Equal,
     /// So many or more.
     AtLeast,
-    /// More.
     More,
     /// So many or fewer.
     AtMost,
-    /// Fewer.
     Fewer,
 }
 

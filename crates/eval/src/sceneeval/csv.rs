@@ -5,7 +5,6 @@
 pub struct CsvRow {
     /// The line that it begins in, from 1.
     pub line: usize,
-    /// Its fields.
     pub fields: Vec<String>,
 }
 

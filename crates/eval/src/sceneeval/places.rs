@@ -28,7 +28,6 @@ pub enum RoomRelation {
     Corner,
     /// Around the middle of the room.
     Middle,
-    /// On a wall.
     OnWall,
     /// Within one and a half metres of one.
     NearWall,
@@ -36,9 +35,7 @@ pub enum RoomRelation {
     AgainstWall,
     /// Hanging from the ceiling.
     Ceiling,
-    /// On the floor.
     Floor,
-    /// In the room.
     Inside,
 }
 

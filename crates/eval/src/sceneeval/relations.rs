@@ -36,11 +36,8 @@ pub enum Relation {
     Below,
     /// Turned to it.
     Facing,
-    /// In it.
     Inside,
-    /// At one of its long sides.
     LongSide,
-    /// At one of its short sides.
     ShortSide,
     /// At its middle, seen from above.
     Middle,

@@ -22,7 +22,6 @@ const COLUMNS: [&str; 2] =
 /// What there is to score for a request.
 #[derive(Clone, Copy, Debug)]
 pub struct Made<'a> {
-    /// The layout.
     pub layout: &'a Layout,
     /// Its program, the main file of it and that file's text, where there is one.
     pub program: Option<(&'a Program, FileId, &'a str)>,
@@ -54,7 +53,6 @@ pub struct Miss {
 /// A request, scored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
-    /// Its ID.
     pub id: String,
     /// As the benchmark has it.
     pub difficulty: String,
@@ -218,7 +216,6 @@ pub struct Scores {
     pub unread: Vec<String>,
 }
 
-/// A row of the summary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SummaryRow {
     /// `all`, or a difficulty.

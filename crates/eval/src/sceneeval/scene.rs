@@ -36,9 +36,7 @@ pub struct ScoredObject {
 pub enum Held {
     /// Floors and other objects, from below.
     Below,
-    /// A wall.
     Wall,
-    /// A ceiling.
     Ceiling,
     /// It is a door or a window, and so part of the house.
     House,

@@ -16,7 +16,6 @@ impl Default for Table {
 }
 
 impl Table {
-    /// The table.
     pub fn new() -> Self {
         let rows = TEXT.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once(" : "));
         let rows = rows.map(|(key, words)| (key.to_owned(), words.split(' ').map(str::to_owned).collect())).collect();

@@ -46,7 +46,6 @@ pub const PUBLISHED_RESEMBLANCE: [(&str, [[f64; 9]; 3]); 3] = [
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Figures {
-    /// The suite.
     pub suite: String,
     /// Scenes, rooms, objects, relations, words in all requests.
     pub size: [usize; 5],
@@ -59,7 +58,6 @@ pub struct Figures {
     /// The same of a model that was asked directly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direct: Option<[f64; 2]>,
-    /// What similarity is by.
     pub similarity: String,
     /// As [`PUBLISHED_RESEMBLANCE`], percent.
     pub resemblance: [[f64; 9]; 3],

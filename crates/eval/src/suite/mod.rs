@@ -61,7 +61,6 @@ pub struct Case {
     /// The same of a model that was asked directly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direct: Option<Placed>,
-    /// What similarity is by.
     pub similarity: String,
     /// Resemblance of objects and of constraints at each threshold: precision, recall, F1.
     pub objects: [[f64; 3]; 3],

@@ -83,7 +83,6 @@ impl UnityDocument {
     }
 }
 
-/// The documents of a file.
 pub(super) fn documents(text: &str) -> Vec<UnityDocument> {
     let mut found: Vec<UnityDocument> = Vec::new();
     let mut key: Option<String> = None;

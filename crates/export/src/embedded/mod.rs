@@ -26,7 +26,6 @@ use std::path::{Path, PathBuf};
 /// A kind of file that carries a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
-    /// A GLB file.
     Glb,
     /// A layer of USD as text, or a package with one.
     Usd,

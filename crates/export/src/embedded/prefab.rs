@@ -104,7 +104,6 @@ impl<'a> Prefabs<'a> {
         out
     }
 
-    /// What an instance is one of.
     fn source(&mut self, instance: &Instance, depth: usize) -> Rc<Expanded> {
         let found = instance.guid.as_deref().and_then(|guid| self.prefab(guid, depth));
         let found = found.filter(|source| source.documents.len() <= self.left);

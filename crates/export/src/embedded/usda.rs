@@ -8,7 +8,6 @@ const DEEPEST: usize = 100;
 /// No more prims are kept.
 const MOST: usize = 200_000;
 
-/// A value.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum UsdValue {
     Number(f64),

@@ -58,7 +58,6 @@ impl MeshGroup {
         }
     }
 
-    /// A convex body.
     pub fn solid(&mut self, body: &Convex) {
         for face in body.faces() {
             self.face(&body.face_corners(face).collect::<Vec<_>>(), &face.normal);

@@ -40,7 +40,6 @@ pub(crate) struct Physics<'a> {
 pub(crate) struct Body<'a> {
     /// As in the program: `chair[0]`; of the building `office/wall2`.
     pub name: &'a str,
-    /// What it is.
     pub what: BodyKind<'a>,
     /// Where its frame is.
     pub pos: Vec3,

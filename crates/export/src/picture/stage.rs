@@ -35,7 +35,6 @@ const SAMPLES: u32 = 60;
 /// What begins higher above the floor hangs (metres).
 const LOW: f64 = 0.3;
 
-/// How a triangle looks.
 #[derive(Clone, Copy)]
 pub(super) struct TriangleLook {
     /// Linear light reflected.

@@ -242,7 +242,6 @@ fn object(
     })
 }
 
-/// The floor of each region.
 fn floors(regions: &[Region], program: &Program) -> Vec<Surface> {
     regions.iter().zip(&program.regions).map(|(region, declared)| Dresser::of(declared, region.kind).floor()).collect()
 }

@@ -53,7 +53,6 @@ pub struct Scene {
     pub overlaps: Vec<[usize; 2]>,
 }
 
-/// A row of the report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReportRow {
     /// `room.scene:12:1`, `P-COLLIDE:a:b`.
@@ -138,13 +137,11 @@ impl Object {
     pub fn quaternion(&self) -> [f64; 4] {
         rotation::quaternion(&self.axes)
     }
-    /// Its solid in the world.
     pub fn world_solid(&self) -> impl Iterator<Item = Convex> + '_ {
         self.solid.iter().map(|c| c.moved(&self.axes, &self.place.pos))
     }
 }
 
-/// A region.
 #[derive(Clone, Debug)]
 pub struct Region {
     /// As in the program.

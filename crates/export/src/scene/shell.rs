@@ -20,7 +20,6 @@ pub struct Shell {
     pub name: String,
     /// The region it belongs to; none for the ground.
     pub region: Option<String>,
-    /// What it is.
     pub role: Role,
     /// How it looks.
     pub group: MeshGroup,
@@ -62,7 +61,6 @@ pub struct WallPrism {
 /// A box turned about the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slab {
-    /// Its centre.
     pub center: Vec3,
     /// Full extents: along the wall, up, across.
     pub size: Vec3,
@@ -133,11 +131,8 @@ pub struct Hole {
 /// Surfaces of a region's shell, as indices into the scene's table.
 #[derive(Clone, Copy, Debug)]
 pub struct Surfaces {
-    /// Of the floor.
     pub floor: usize,
-    /// Of the walls.
     pub wall: usize,
-    /// Of the ceiling.
     pub ceiling: usize,
 }
 

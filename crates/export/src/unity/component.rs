@@ -122,7 +122,6 @@ pub(super) fn script(guid: &str, own: Map) -> Map {
     fields
 }
 
-/// What shines, and how.
 pub(super) enum Shine<'a> {
     /// Parallel light along the object's +z, with shadows.
     Sun,

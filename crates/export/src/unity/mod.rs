@@ -28,7 +28,6 @@ use std::collections::BTreeMap;
 pub struct Unity {
     /// Which shaders materials use.
     pub pipeline: Pipeline,
-    /// Which editor it is for.
     pub editor: Editor,
 }
 

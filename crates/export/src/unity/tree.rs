@@ -6,7 +6,6 @@ use crate::geometry::frame::unity_euler;
 use nalgebra::Matrix3;
 use scenelang_layout::{Vec3, rotation};
 
-/// A game object.
 pub(super) struct GameObject {
     /// What its identities are made from; unique in the scene.
     pub key: String,
@@ -154,7 +153,6 @@ impl Layer {
     }
 }
 
-/// A component.
 pub(super) struct Component {
     /// Unity's number of its class.
     pub class: u32,

@@ -14,7 +14,6 @@ pub(super) enum Yaml {
     Flow(Vec<(&'static str, String)>),
     /// A mapping, a line for each entry.
     Map(Map),
-    /// A list.
     List(Vec<Yaml>),
 }
 
@@ -131,7 +130,6 @@ impl Stream {
         out.into_bytes()
     }
 
-    /// The file.
     pub fn into_bytes(self) -> Vec<u8> {
         self.out.into_bytes()
     }

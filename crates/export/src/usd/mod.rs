@@ -71,7 +71,6 @@ const LAMP_RADIUS: f64 = 0.1;
 /// Of the sun.
 const SUN: f64 = 500.0;
 
-/// The layer of a scene.
 fn layer(scene: &Scene) -> String {
     write_layer(scene, &Physics::of(scene))
 }

@@ -168,7 +168,6 @@ impl Welded {
         out
     }
 
-    /// The point in a place.
     fn point(&mut self, place: [f32; 3]) -> u32 {
         let place = place.map(|c| c + 0.0);
         *self.known.entry(place.map(f32::to_bits)).or_insert_with(|| {

@@ -95,7 +95,6 @@ impl FactKind {
 /// A side of a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[allow(missing_docs)]
 pub enum Side {
     Front,
     Behind,
@@ -108,7 +107,6 @@ pub enum Side {
 /// What two things are to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[allow(missing_docs)]
 pub enum Rel {
     On,
     Under,
@@ -144,7 +142,6 @@ pub enum Rel {
     Reachable,
     /// Beside it at both sides.
     Sides,
-    /// With its back to it.
     BackTo,
     From,
     Of,
@@ -152,10 +149,8 @@ pub enum Rel {
     Than,
 }
 
-/// A place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[allow(missing_docs)]
 pub enum Place {
     Wall,
     Corner,
@@ -180,11 +175,9 @@ pub enum Pattern {
     Row,
     /// In so many lines.
     Rows(usize),
-    /// In a circle.
     Circle,
     /// Beside each other.
     SideBySide,
-    /// Back to back.
     BackToBack,
     /// Facing each other.
     FaceToFace,
@@ -202,16 +195,13 @@ pub enum Pattern {
 pub enum Op {
     /// So much, exactly.
     Equal,
-    /// At least.
     Least,
-    /// At most.
     Most,
 }
 
 /// Which of a thing's measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[allow(missing_docs)]
 pub enum Dim {
     Width,
     Height,

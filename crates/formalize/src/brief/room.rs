@@ -19,9 +19,7 @@ pub struct Room {
     pub only: bool,
     /// Usual width, height and depth of its kind, for so many people; set when a request is completed.
     pub usual: Option<[f64; 3]>,
-    /// The look of its floor.
     pub floor: Look,
-    /// The look of its walls.
     pub walls: Look,
     /// Where it comes from.
     pub source: ThingOrigin,

@@ -23,7 +23,6 @@ pub struct Thing {
     pub beyond: Option<usize>,
     /// For how many people: "a table for six".
     pub places: Option<usize>,
-    /// Its looks.
     pub look: Look,
     /// Width, height and depth, where they are said.
     pub size: [Option<f64>; 3],
@@ -43,9 +42,7 @@ pub enum Number {
     Plural,
     /// "several", "a few": three or more.
     Several,
-    /// This number.
     Exactly(usize),
-    /// This number or more.
     AtLeast(usize),
     /// So many for each of another thing, an index.
     Each {
@@ -88,13 +85,11 @@ pub enum Group {
     Seat,
     /// With a top that things stand on.
     Table,
-    /// To store in.
     Storage,
     /// To sleep on.
     Bed,
     /// Other things on the floor; also what no table knows.
     Floor,
-    /// On a wall.
     Wall,
     /// Under the ceiling.
     Ceiling,
@@ -163,7 +158,6 @@ impl ThingOrigin {
 pub struct Subset {
     /// The thing, an index.
     pub of: usize,
-    /// Which of it.
     pub pick: Pick,
 }
 
@@ -175,7 +169,6 @@ pub enum Pick {
     Run(usize, usize),
     /// All from this one on: "the others".
     Rest(usize),
-    /// The last one.
     Last,
     /// "half of the desks".
     Half,

@@ -16,7 +16,6 @@ pub enum Extent {
     Literal,
 }
 
-/// Completes a brief.
 pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
     defaults::counted(&mut brief);
     match extent {

@@ -58,7 +58,6 @@ fn hang(brief: &mut Brief) {
     }
 }
 
-/// Settles it.
 pub fn settle(brief: &mut Brief) {
     for _ in 0..CHAIN {
         let small: Vec<usize> = (0..brief.things.len()).filter(|a| is_small(brief, *a)).collect();

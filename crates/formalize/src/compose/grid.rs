@@ -5,7 +5,6 @@ use crate::brief::{Brief, FactKind, Group, Pattern, Rel, Side};
 /// Rows and columns; the first stands at the left of the first row, rows follow towards -z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
-    /// Rows.
     pub rows: usize,
     /// Things in a row.
     pub columns: usize,

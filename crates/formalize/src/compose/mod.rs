@@ -14,7 +14,6 @@ use crate::names::{GivenNames, identifier};
 /// Kinds of rooms that have no ceiling.
 const OPEN_AIR: [&str; 3] = ["balcony", "terrace", "garden"];
 
-/// The draft of a brief.
 pub fn compose(brief: &Brief) -> Draft {
     let mut names = GivenNames::default();
     let sizes = sizes::things(brief);

@@ -22,11 +22,9 @@ pub struct Named<'a> {
     pub names: Vec<Vec<String>>,
     /// How many of each.
     pub counts: Vec<usize>,
-    /// Names of rooms.
     pub rooms: Vec<String>,
     /// Sizes of things.
     pub sizes: Vec<[f64; 3]>,
-    /// Sizes of rooms.
     pub room_sizes: Vec<[f64; 3]>,
 }
 

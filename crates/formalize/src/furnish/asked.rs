@@ -255,7 +255,6 @@ struct Like {
     line: Option<&'static Line>,
     /// With their backs at a wall.
     at_wall: bool,
-    /// In a run.
     in_run: bool,
     /// In the middle of the room.
     central: bool,

@@ -7,11 +7,8 @@ use super::stand;
 
 /// What is known of a thing that gets a place.
 pub struct Choice<'a> {
-    /// What it is.
     pub noun: &'a str,
-    /// Its size.
     pub size: [f64; 3],
-    /// The walls with windows.
     pub windows: &'a [Wall],
     /// What it looks at, if there is such a thing: its place.
     pub looks_at: Option<Pose>,

@@ -92,7 +92,6 @@ pub struct Footprint {
     pub thing: usize,
     /// Its place in the group.
     pub at: Pose,
-    /// Its size.
     pub size: [f64; 3],
     /// Whether objects may stand on it: rugs.
     pub flat: bool,
@@ -269,7 +268,6 @@ impl Floor {
         self.inside(&block) && !self.bodies.iter().chain(&self.free).any(|other| other.meets(&block))
     }
 
-    /// Takes it.
     pub fn take(&mut self, shape: &Shape, at: &Pose) {
         for piece in shape.pieces.iter().filter(|piece| !piece.flat) {
             self.bodies.push(Block::of(&at.then(&piece.at), piece.size));

@@ -8,7 +8,6 @@ use std::sync::OnceLock;
 pub enum Along {
     /// Backs flush.
     Backs,
-    /// Middle to middle.
     Middle,
     /// Fronts flush.
     Fronts,
@@ -47,12 +46,9 @@ pub enum Where {
     Enclose(f64, f64),
 }
 
-/// A part of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroupPart {
-    /// What.
     pub noun: &'static str,
-    /// Where.
     pub at: Where,
     /// Only in rooms of at least so many square metres.
     pub least: f64,

@@ -23,9 +23,7 @@ pub enum PlanPlace {
     Wall,
     /// In a row with its back at a wall.
     Run,
-    /// In a corner.
     Corner,
-    /// In the middle.
     Middle,
     /// Anywhere on the floor, parallel to the walls.
     Floor,
@@ -54,7 +52,6 @@ pub enum PlanPlace {
 pub struct Line {
     /// How many.
     pub count: Count,
-    /// What.
     pub noun: &'static str,
     /// Where.
     pub place: PlanPlace,

@@ -31,11 +31,8 @@ const DEEP: usize = 3;
 pub struct Plan<'a> {
     /// What is furnished.
     pub draft: &'a mut Draft,
-    /// The room.
     pub room: usize,
-    /// Its kind.
     pub kind: &'static FurnishingKind,
-    /// Names that are given.
     pub names: GivenNames,
     /// Nouns that are asked for or ruled out.
     closed: Vec<String>,
@@ -170,7 +167,6 @@ impl<'a> Plan<'a> {
         floor && walls && size[0].min(size[2]) < w.min(d) - 0.9
     }
 
-    /// Takes it.
     pub fn take(&mut self, size: [f64; 3], n: usize, at_wall: bool) {
         self.floor += n as f64 * (size[0] + 0.1) * (size[2] + 0.3);
         if at_wall {

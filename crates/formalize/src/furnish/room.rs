@@ -40,7 +40,6 @@ impl Furnished {
 /// What gets its place first in a room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum First {
-    /// What is asked for.
     Asked,
     /// What makes it such a room: the bed of a bedroom.
     Kind,

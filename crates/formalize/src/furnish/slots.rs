@@ -35,7 +35,6 @@ pub struct Slot {
 pub struct Sizes {
     /// Of the thing it goes with.
     pub of: [f64; 3],
-    /// Its own.
     pub own: [f64; 3],
     /// Whether the other thing is round or oval, seen from above.
     pub round: bool,

@@ -28,7 +28,6 @@ struct Region {
     sentences: Vec<i64>,
 }
 
-/// The numbers of the sentences of a region.
 pub(super) type SentenceNumbers = Vec<usize>;
 
 /// Adds the regions to the draft; which sentences belong to each. A sentence that belongs to none belongs to all.

@@ -21,7 +21,6 @@ pub enum ChunkPiece {
     Rel(Rel),
     /// "to its left": a relation to what was spoken of last.
     ToIts(Rel),
-    /// A verb.
     Verb(Verb),
     /// A length, a size, an area.
     Measure(Measure),
@@ -31,7 +30,6 @@ pub enum ChunkPiece {
     And,
     /// A comma, a dash.
     Comma,
-    /// A colon.
     Colon,
     /// "(".
     Open,
@@ -64,7 +62,6 @@ pub enum ChunkPiece {
 /// A piece and the tokens it is made of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Chunk {
-    /// What it is.
     pub piece: ChunkPiece,
     /// Indices of tokens.
     pub at: Range<usize>,
@@ -80,7 +77,6 @@ impl Chunk {
     }
 }
 
-/// Phrases that are one piece.
 fn fixed_phrases() -> &'static Phrases<ChunkPiece> {
     static PHRASES: OnceLock<Phrases<ChunkPiece>> = OnceLock::new();
     let piece = |key: &str| {

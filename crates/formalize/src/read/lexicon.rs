@@ -8,7 +8,6 @@ use std::sync::OnceLock;
 /// A word or words for how a thing looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LookWord {
-    /// A colour.
     Color,
     /// What may stand before a colour: "dark".
     Shade,
@@ -20,7 +19,6 @@ pub enum LookWord {
 
 /// What a verb does for a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
 pub enum Verb {
     Be,
     Have,
@@ -38,7 +36,6 @@ pub enum Verb {
 
 /// Classes of words of the grammar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[allow(missing_docs)]
 pub enum Class {
     Det,
     Def,
@@ -59,7 +56,6 @@ pub enum Class {
     Person,
 }
 
-/// A kind of room.
 #[derive(Debug)]
 pub struct RoomKind {
     /// "meeting room".

@@ -6,7 +6,6 @@ use super::token::{Token, WordKind};
 use crate::brief::{Dim, Op};
 use std::sync::OnceLock;
 
-/// A measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
     /// How it binds.

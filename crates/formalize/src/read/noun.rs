@@ -30,14 +30,12 @@ pub enum Det {
     Each,
     /// "no".
     No,
-    /// By a number.
     Number,
 }
 
 /// What a noun phrase speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NounKind {
-    /// A thing.
     Thing,
     /// A room: an index into the kinds.
     Room,

@@ -93,7 +93,6 @@ const OUTDOORS: &str = "terrace";
 /// More rooms than this are not told apart.
 pub(super) const MOST: usize = 12;
 
-/// Finds them.
 pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
     nameless(chunks);
     let mut out = spoken(chunks, tokens);

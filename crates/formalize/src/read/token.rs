@@ -9,7 +9,6 @@ pub enum WordKind {
     Word,
     /// Written in digits.
     Number(f64),
-    /// One sign.
     Sign(char),
     /// The end of a line; several in a row are one.
     Line,
@@ -20,7 +19,6 @@ pub enum WordKind {
 /// A token: its kind, how it is compared (lower case, no possessive), its bytes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Token {
-    /// What it is.
     pub kind: WordKind,
     /// In lower case; a possessive `'s` is left out.
     pub text: String,

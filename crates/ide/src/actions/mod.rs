@@ -40,7 +40,6 @@ pub struct Action {
     pub kind: ActionKind,
     /// What is replaced, in the program's files and the layout; of [`Detail::Titles`] nothing where it is much.
     pub edits: Vec<Edit>,
-    /// What is repaired by it.
     pub repairs: Option<Finding>,
     /// Whether it is what one would do.
     pub preferred: bool,

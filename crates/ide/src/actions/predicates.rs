@@ -113,7 +113,6 @@ fn element(text: &str, name: TextRange, whole: TextRange) -> Option<TextRange> {
     Some(TextRange { start: name.start, end: name.end + end as u32 })
 }
 
-/// The text of a range with places in it replaced.
 fn replaced(text: &str, whole: TextRange, mut places: Vec<(TextRange, &str)>) -> String {
     places.sort_by_key(|(range, _)| range.start);
     let mut out = String::new();

@@ -25,12 +25,10 @@ impl Json {
         // Our names need no escapes.
         let _ = write!(self.text, "\"{name}\":");
     }
-    /// A value.
     pub fn value(&mut self, value: impl Into<Value>) {
         self.separate();
         let _ = write!(self.text, "{}", value.into());
     }
-    /// A member with its value.
     pub fn member(&mut self, name: &str, value: impl Into<Value>) {
         self.name(name);
         self.value(value);

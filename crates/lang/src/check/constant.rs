@@ -5,19 +5,16 @@
 use crate::ast::{BinaryOp, ExprId, ExprKind, Stmt, UnitSuffix};
 use scenelang_base::{Code, codes};
 
-/// A constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Constant {
     /// A number, in metres or degrees where it has a unit.
     Number(f64),
-    /// A vector.
     Vector([f64; 3]),
 }
 
 /// Why an expression of constants has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoValue {
-    /// The code.
     pub code: Code,
     /// The sentence.
     pub message: String,

@@ -38,7 +38,6 @@ pub struct Analysis {
 
 /// A file of the program, parsed.
 pub(crate) struct Unit<'a> {
-    /// Its id.
     pub file: FileId,
     /// The path relative to the main file, as in draw keys; empty for the main file.
     pub prefix: &'a str,

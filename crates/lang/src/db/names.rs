@@ -1,7 +1,5 @@
 //! What is declared, defined, assigned and imported, without a word on where it stands in the text.
 
-#![allow(missing_docs, reason = "the macros of salsa make items that take no documentation")]
-
 use super::runs::{File, Run, Sources, parsed, placed_runs};
 use crate::ast::{ExprKind, Stmt, StmtKind, TypeWord};
 use crate::check::cycles;

@@ -1,7 +1,5 @@
 //! From a file's text to runs of statements, and what each run says, places relative to the run.
 
-#![allow(missing_docs, reason = "the macros of salsa make items that take no documentation")]
-
 use crate::chunk::{Chunks, cut};
 use crate::lint::allow::Allowances;
 use crate::parse::{ParsedFile, parse_run};

@@ -16,7 +16,6 @@ pub enum Doc {
     Hard,
     /// The end of a line and an empty one.
     Empty,
-    /// A comment.
     Comment {
         /// Its text; a block comment may have several lines.
         text: String,
@@ -37,7 +36,6 @@ pub enum Doc {
 }
 
 impl Doc {
-    /// Text.
     pub fn text(text: impl Into<String>) -> Self {
         Self::Text(text.into())
     }

@@ -14,7 +14,6 @@ use crate::parse::parse_statement;
 use crate::token::{Kind, Token, lex};
 use scenelang_base::{Diagnostic, TextRange};
 
-/// How to format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FormatOptions {
     /// The longest line, in characters, where a statement can be broken so. Comments and strings never are.

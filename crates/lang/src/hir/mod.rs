@@ -22,7 +22,6 @@ pub struct Hir {
     resolutions: Vec<Option<Resolution>>,
     /// Parameters and variables of quantifiers, in the order in which they are bound.
     pub locals: Vec<Local>,
-    /// What an assignment assigns.
     pub target: Option<AssignTarget>,
 }
 
@@ -33,7 +32,6 @@ pub enum Resolution {
     Item(SmolStr, ItemKind),
     /// An element of an array.
     Element {
-        /// The array.
         array: SmolStr,
         /// Which, if literals say it.
         index: Option<u32>,
@@ -46,7 +44,6 @@ pub enum Resolution {
     Local(usize),
     /// A predicate of the program or of the library.
     Predicate {
-        /// Its name.
         name: SmolStr,
         /// Whether it is of the library.
         library: bool,
@@ -57,7 +54,6 @@ pub enum Resolution {
     Property {
         /// Of an object or of a region.
         of: Ty,
-        /// Which.
         property: &'static Property,
     },
     /// `x`, `y` or `z` of a vector or a rotation.
@@ -69,7 +65,6 @@ pub enum Resolution {
 /// A name that a statement binds for a part of itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Local {
-    /// The name.
     pub name: SmolStr,
     /// Where it is bound, relative to the start of the statement's text.
     pub range: TextRange,
@@ -88,7 +83,6 @@ pub enum LocalKind {
     Variable,
 }
 
-/// What an assignment assigns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AssignTarget {
     /// The object, element, region or variable.
@@ -133,7 +127,6 @@ pub struct Meanings<'a> {
     pub defined: FxHashMap<SmolStr, Span>,
 }
 
-/// What a statement means.
 pub fn statement(names: &dyn Names, stmt: &Stmt) -> Hir {
     check::meaning(names, stmt)
 }

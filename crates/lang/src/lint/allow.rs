@@ -18,7 +18,6 @@ pub struct Allowances {
 /// One such comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Allowance {
-    /// The comment.
     comment: TextRange,
     /// What it names, as written, with its place.
     named: Vec<(String, TextRange)>,
@@ -104,7 +103,6 @@ impl Allowances {
     }
 }
 
-/// The warning of that name.
 fn warning(name: &str) -> Option<Code> {
     Code::find(name).filter(|code| code.severity() == Severity::Warning)
 }

@@ -14,7 +14,6 @@ use smol_str::SmolStr;
 pub enum TextValue<'a> {
     /// A literal.
     Text(&'a str),
-    /// That of a variable.
     Variable(&'a SmolStr),
     /// Something else.
     Other,
@@ -29,7 +28,6 @@ pub struct Facts<'a> {
     pub names: &'a dyn Names,
     /// All statements, the main file's first.
     pub statements: &'a [Linted<'a>],
-    /// The main file.
     pub main: Option<FileId>,
     /// Names with the statement that declares them, in order, each once.
     pub order: Vec<(&'a Name, usize)>,
@@ -209,6 +207,5 @@ impl<'a> Facts<'a> {
 pub enum DefinitionNode<'a> {
     /// A variable that is assigned.
     Variable(&'a SmolStr),
-    /// A predicate.
     Predicate(&'a SmolStr),
 }

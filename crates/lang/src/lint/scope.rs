@@ -9,7 +9,6 @@ use rustc_hash::FxHashMap;
 pub enum Binder {
     /// A parameter of the predicate, by its number.
     Parameter(usize),
-    /// A quantifier, by its expression.
     Quantifier(ExprId),
 }
 

@@ -54,7 +54,6 @@ pub struct Text {
     pub text: SmolStr,
     /// The literal.
     pub range: TextRange,
-    /// The property.
     pub property: SmolStr,
     /// Compared with it, or else assigned to it.
     pub compared: bool,
@@ -65,7 +64,6 @@ pub struct Text {
 pub struct Read {
     /// Whose: an object, array or region, and the element if it is a certain one; `None`: of some object.
     pub of: Option<(SmolStr, Option<u32>)>,
-    /// Which.
     pub property: SmolStr,
     /// All of the expression.
     pub range: TextRange,

@@ -30,7 +30,6 @@ impl<'t> Builder<'t> {
     pub fn slice(&self, tokens: SimpleSpan) -> &'t str {
         &self.text[self.range(tokens).bytes()]
     }
-    /// A token as a name.
     pub fn name(&self, token: SimpleSpan) -> Name {
         Name { text: self.slice(token).into(), range: self.range(token) }
     }

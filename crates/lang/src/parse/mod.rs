@@ -43,7 +43,6 @@ use std::ops::Range;
 use wanted::Failure;
 use words::Words;
 
-/// A parsed file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParsedFile {
     /// The statements in order, each with the byte offset in the file that its places are relative to.
@@ -112,7 +111,6 @@ pub fn parse_statement(text: &str) -> (Vec<Stmt>, Vec<Diagnostic<TextRange>>) {
 pub(crate) struct ParsedChunk {
     /// All tokens, trivia too.
     pub tokens: Vec<Token>,
-    /// The statements.
     pub statements: Vec<Stmt>,
     /// Errors and warnings.
     pub diagnostics: Vec<Diagnostic<TextRange>>,
@@ -130,7 +128,6 @@ pub(crate) struct Segment {
     pub broken: bool,
 }
 
-/// Parses the text of one chunk.
 pub(crate) fn parse_chunk(text: &str) -> ParsedChunk {
     let all = lex(text);
     let mut tokens: Vec<Token> = all.iter().copied().filter(|t| !t.kind.is_trivia()).collect();

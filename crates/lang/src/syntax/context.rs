@@ -37,9 +37,7 @@ pub enum Expects {
     Value,
     /// An operator, a connective, or a keyword that goes on, for a value ends here.
     Operator,
-    /// The type of a parameter.
     ParameterType,
-    /// The path of a file.
     ImportPath {
         /// What there is of it between the quotation marks.
         written: TextRange,
@@ -134,7 +132,6 @@ fn previous(token: &SyntaxToken) -> Option<SyntaxToken> {
     std::iter::successors(token.prev_token(), SyntaxToken::prev_token).find(|t| !is_trivia(t))
 }
 
-/// What is expected after a token.
 fn after(token: &SyntaxToken) -> Expects {
     let Some(kind) = kind(token) else { return Expects::Statement };
     let before = || previous(token).and_then(|t| self::kind(&t));

@@ -16,7 +16,6 @@ pub enum SyntaxKind {
 
 macro_rules! node_kinds {
     ($($(#[doc = $doc:literal])+ $name:ident)*) => {
-        /// Kinds of nodes.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum NodeKind {
             $($(#[doc = $doc])+ $name,)*

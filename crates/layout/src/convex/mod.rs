@@ -148,7 +148,6 @@ impl PartialEq for Convex {
 }
 
 impl Convex {
-    /// A box.
     pub fn from_box(obb: &Obb) -> Self {
         let vertices = obb.corners().to_vec();
         let aabb = Aabb::of(vertices.iter().copied());
@@ -253,7 +252,6 @@ impl Convex {
     pub fn edges(&self) -> impl Iterator<Item = [Vec3; 2]> {
         self.sides().edges.iter().map(|edge| self.ends(edge))
     }
-    /// Its faces.
     pub fn faces(&self) -> &[Face] {
         &self.sides().faces
     }

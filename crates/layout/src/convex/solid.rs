@@ -17,7 +17,6 @@ pub enum Geometry {
     /// Its parts where it has them and they fill its box, else its box.
     #[default]
     Parts,
-    /// Its box.
     Box,
 }
 

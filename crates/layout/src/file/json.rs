@@ -15,7 +15,6 @@ const MAX_FINDINGS: usize = 100;
 /// A value with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JsonNode {
-    /// What it is.
     pub value: Json,
     /// Where it stands.
     pub range: TextRange,
@@ -89,12 +88,10 @@ impl JsonNode {
     }
 }
 
-/// The member of a key.
 pub fn find<'a>(members: &'a [Member], key: &str) -> Option<&'a Member> {
     members.iter().find(|m| m.key == key)
 }
 
-/// Findings in one file.
 #[derive(Debug)]
 pub struct Findings {
     file: FileId,

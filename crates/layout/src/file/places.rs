@@ -39,7 +39,6 @@ pub struct Block {
 }
 
 impl Block {
-    /// The entry of a name.
     pub fn get(&self, name: &str) -> Option<&Entry> {
         self.index.get(name).map(|&i| &self.entries[i])
     }
@@ -65,13 +64,10 @@ impl Block {
 /// Places in a layout file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Places {
-    /// The document.
     pub document: Span,
     /// Its members `scene`, `objects`, ….
     pub top: Block,
-    /// Placed objects.
     pub objects: Block,
-    /// Placed regions.
     pub regions: Block,
     /// Decision variables.
     pub variables: Block,

@@ -52,7 +52,6 @@ impl Shape {
     }
 }
 
-/// A provider.
 #[derive(Debug)]
 struct Provider {
     name: &'static str,
@@ -296,7 +295,6 @@ impl Model for Offline {
     }
 }
 
-/// How to reach a model.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach<'a> {
     /// `PROVIDER:NAME`, or `replay:FILE` for a recorded conversation.

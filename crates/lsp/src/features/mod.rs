@@ -16,7 +16,6 @@ use tower_lsp::ls_types::{Position, Range, TextDocumentIdentifier};
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Whole {
-    /// Which.
     #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
     text_document: TextDocumentIdentifier,
 }
@@ -25,7 +24,6 @@ pub struct Whole {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct At {
-    /// Which document.
     #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
     text_document: TextDocumentIdentifier,
     /// Where.
@@ -36,7 +34,6 @@ pub struct At {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Within {
-    /// Which document.
     #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
     text_document: TextDocumentIdentifier,
     /// From where to where.

@@ -42,7 +42,6 @@ pub struct Workspace {
     pub config: Arc<Config>,
     /// Addresses of open documents.
     pub open: BTreeMap<PathBuf, Uri>,
-    /// Their versions.
     pub versions: BTreeMap<String, i32>,
 }
 

@@ -256,7 +256,6 @@ pub fn workspace_symbols(
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Positions {
-    /// Which.
     #[allow(dead_code, reason = "that it is there, and an address, is what matters")]
     text_document: TextDocumentIdentifier,
     /// Where.

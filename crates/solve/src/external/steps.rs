@@ -48,7 +48,6 @@ pub struct Steps<'s> {
     pub placer: Option<&'s mut dyn Placer>,
     /// PhysicsRelaxation.
     pub relaxer: Option<&'s mut dyn Relaxer>,
-    /// SelectBatch.
     pub selector: Option<&'s mut dyn Selector>,
     /// Asked in this order, in [`Steps::rounds`] rounds before the numeric proposer.
     pub proposers: Vec<&'s mut dyn Proposer>,

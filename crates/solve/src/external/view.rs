@@ -18,7 +18,6 @@ pub struct View<'v> {
 /// A constraint or a physical rule, and how it stands in the layout.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Concern {
-    /// What.
     pub what: TermSubject,
     /// Whether it must hold; else it is a preference.
     pub hard: bool,
@@ -33,7 +32,6 @@ pub struct Concern {
 /// Where an object is to go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
-    /// Which.
     pub object: ObjectId,
     /// Centre of its bottom face (metres).
     pub pos: Vec3,
@@ -47,7 +45,6 @@ pub struct Move {
 /// finite make the proposal void.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Proposal {
-    /// The moves.
     pub moves: Vec<Move>,
 }
 
@@ -71,7 +68,6 @@ impl<'v> View<'v> {
     pub fn name(&self, id: ObjectId) -> &'v str {
         self.state.frame.name(id)
     }
-    /// The object of a name.
     pub fn object(&self, name: &str) -> Option<ObjectId> {
         self.objects().find(|id| self.name(*id) == name)
     }
@@ -115,7 +111,6 @@ impl<'v> View<'v> {
         }
     }
 
-    /// A check as a concern.
     pub(crate) fn concern(&self, check: usize) -> Concern {
         match self.state.numbering.check(check) {
             Check::Term(term) => {

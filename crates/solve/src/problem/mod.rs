@@ -42,12 +42,7 @@ pub enum Placed {
     /// All that the layout has: solving again after an edit.
     All,
     /// These.
-    Some {
-        /// Objects.
-        objects: Vec<ObjectId>,
-        /// Regions.
-        regions: Vec<RegionId>,
-    },
+    Some { objects: Vec<ObjectId>, regions: Vec<RegionId> },
 }
 
 impl Placed {
@@ -192,7 +187,6 @@ pub struct Outcome {
 /// Something that does not hold in the layout found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unsatisfied {
-    /// What.
     pub what: TermSubject,
     /// By how much it fails: negative, metres or degrees; `None`: it has no metres, or cannot be judged.
     pub margin: Option<f64>,

@@ -160,7 +160,6 @@ pub const EACH: f64 = 0.5;
 /// An object that is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moved {
-    /// Which.
     pub object: ObjectId,
     /// Where it is in the layout.
     pub from: Pose,

@@ -51,7 +51,6 @@ impl<'a> Fixtures<'a> {
     }
 }
 
-/// See the file.
 pub(super) struct RepairSearch<'r, 'a> {
     pub judge: &'r Judge<'a>,
     pub search: Search<'r>,

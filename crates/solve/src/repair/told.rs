@@ -43,7 +43,6 @@ pub fn rows(checked: &Checked, main: &str, asked: &str) -> Result<Vec<RowRef>, S
 pub struct AlternativesReport<'a> {
     /// The layout, judged.
     pub checked: &'a Checked,
-    /// Its program.
     pub program: &'a Program,
     /// What its file is called.
     pub name: &'a str,

@@ -20,7 +20,6 @@ pub(crate) struct Snapshot {
 }
 
 impl Snapshot {
-    /// Of a state.
     pub fn of(state: &Candidate<'_>) -> Self {
         let program = state.frame.program;
         Self {
@@ -85,7 +84,6 @@ impl Best {
 pub(crate) struct Search<'a> {
     /// The layout.
     pub state: Candidate<'a>,
-    /// Chance.
     pub chance: ChaCha8Rng,
     /// How to solve.
     pub options: &'a Options,

@@ -42,7 +42,6 @@ pub struct AssetInput {
 }
 
 impl AssetInput {
-    /// What is asked for.
     pub fn asked(object: &Object, size: Vec3) -> Self {
         Self {
             category: object.category.clone(),
@@ -106,7 +105,6 @@ fn sum_of(value: &impl Debug) -> String {
 /// How a layout is looked for, besides the program.
 #[derive(Clone, Copy, Debug)]
 pub struct How<'a> {
-    /// How it is judged.
     pub judge: &'a Options,
     /// Fixes draws and every random choice.
     pub seed: u64,

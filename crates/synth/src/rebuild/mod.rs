@@ -46,7 +46,6 @@ pub struct Known {
     /// What each object was given.
     #[serde(default)]
     pub assets: Looks,
-    /// The layout.
     #[serde(default)]
     pub layout: Vec<State>,
     /// What is written besides the formats: program, imports, layout, report.
@@ -86,7 +85,6 @@ impl Manifest {
         if read.format == FORMAT { read } else { Self::default() }
     }
 
-    /// What is known of a scene.
     pub fn scene(&self, stem: &str) -> Known {
         self.scenes.get(stem).cloned().unwrap_or_default()
     }

@@ -12,7 +12,6 @@ const NAMED: usize = 3;
 /// What becomes of a format.
 #[derive(Clone, Debug)]
 pub struct Format {
-    /// Its name.
     pub name: String,
     /// Why it is made again; empty: it is kept.
     pub why: Vec<String>,

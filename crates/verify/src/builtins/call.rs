@@ -6,7 +6,6 @@ use crate::vector::V3;
 use crate::world::{ObjectInstance, RegionInstance, World};
 use scenelang_lang::program::{Arg, BuiltIn, NodeId, ObjectId, ObjectSide, Program, RegionId};
 
-/// See the file.
 #[derive(Clone, Copy)]
 pub(crate) struct Call<'a, N: Algebra> {
     /// What is used.
@@ -29,14 +28,12 @@ impl<'a, N: Algebra> Call<'a, N> {
     fn ill_typed(&self) -> ! {
         unreachable!("`{}` with arguments of the wrong types: {:?}", self.built_in.name(), self.args)
     }
-    /// The object at an index.
     pub(super) fn object(&self, index: usize) -> Result<(ObjectId, &'a ObjectInstance<N>), EvalError> {
         match self.args.get(index) {
             Some(Arg::Object(id)) => Ok((*id, self.world.object(*id).map_err(|c| self.fail(c))?)),
             _ => self.ill_typed(),
         }
     }
-    /// The region at an index.
     pub(super) fn region(&self, index: usize) -> Result<(RegionId, &'a RegionInstance<N>), EvalError> {
         match self.args.get(index) {
             Some(Arg::Region(id)) => Ok((*id, self.world.region(*id).map_err(|c| self.fail(c))?)),
@@ -49,21 +46,18 @@ impl<'a, N: Algebra> Call<'a, N> {
             _ => self.ill_typed(),
         }
     }
-    /// The number at an index.
     pub(super) fn number(&self, index: usize) -> Result<N, EvalError> {
         match self.value(index)? {
             Value::Number(n) => Ok(n),
             _ => self.ill_typed(),
         }
     }
-    /// The vector at an index.
     pub(super) fn vector(&self, index: usize) -> Result<V3<N>, EvalError> {
         match self.value(index)? {
             Value::Vector(v) => Ok(v),
             _ => self.ill_typed(),
         }
     }
-    /// The side at an index.
     pub(super) fn side(&self, index: usize) -> ObjectSide {
         match self.args.get(index) {
             Some(Arg::Side(side)) => *side,

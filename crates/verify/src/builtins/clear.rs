@@ -19,7 +19,6 @@ use scenelang_layout::{Convex, Nearest, Obb, Prism, Vec2, Vec3, convex, inside_c
 /// Below this height above the base nothing stands in the way (metres).
 const SILL: f64 = 0.05;
 
-/// See the file.
 pub(super) struct Clear;
 
 impl Semantics for Clear {

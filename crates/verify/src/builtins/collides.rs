@@ -11,7 +11,6 @@ use crate::prove::unknowns::{Unknowns, claimed};
 use scenelang_base::codes;
 use scenelang_lang::program::{ObjectId, Program, Unit};
 
-/// See the file.
 pub(super) struct Collides;
 
 impl Semantics for Collides {

@@ -14,7 +14,6 @@ use crate::world::{ObjectInstance, RegionInstance};
 use scenelang_lang::program::{Program, Unit};
 use scenelang_layout::{Vec2, Vec3};
 
-/// See the file.
 pub(super) struct Connects;
 
 impl Semantics for Connects {

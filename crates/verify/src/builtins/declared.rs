@@ -32,7 +32,6 @@ pub enum Surroundings {
     Space {
         /// Whose.
         owner: ObjectId,
-        /// On which side.
         side: ObjectSide,
         /// How deep it is (metres); `None`: that is no constant.
         depth: Option<f64>,
@@ -106,14 +105,12 @@ impl Given<'_> {
     fn ill_typed(&self) -> ! {
         unreachable!("a built-in with arguments of the wrong types: {:?}", self.args)
     }
-    /// The object at an index.
     pub fn object(&self, index: usize) -> ObjectId {
         match self.args.get(index) {
             Some(Arg::Object(id)) => *id,
             _ => self.ill_typed(),
         }
     }
-    /// The side at an index.
     pub fn side(&self, index: usize) -> ObjectSide {
         match self.args.get(index) {
             Some(Arg::Side(side)) => *side,

@@ -15,7 +15,6 @@ use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
 use scenelang_layout::convex::nearest_of;
 use scenelang_layout::{Separation, Vec2, Vec3, obb};
 
-/// See the file.
 pub(super) struct Gap;
 
 impl Semantics for Gap {
@@ -80,7 +79,6 @@ impl Semantics for Gap {
     }
 }
 
-/// A gap in words.
 pub(crate) fn in_words(a: &str, b: &str, gap: f64) -> String {
     if gap < 0.0 {
         format!("`{a}` overlaps `{b}` by {}", metres(-gap))

@@ -16,7 +16,6 @@ use scenelang_layout::planar::nearest_on_segment;
 use scenelang_layout::polygon::Clearance;
 use scenelang_layout::{Obb, Vec2, Vec3, inside_clearance};
 
-/// See the file.
 pub(super) struct Inside;
 
 impl Semantics for Inside {

@@ -39,7 +39,6 @@ use scenelang_lang::program::{BuiltIn, Formula, Node, NodeId, ObjectId, Program}
 
 /// What a built-in means. A predicate yields a [`Truth`], a measure a number; in nothing else do they differ.
 pub(crate) trait Semantics {
-    /// What it yields.
     type Yields<N: Algebra>: Into<Value<N>>;
     /// What others need to know to treat it well.
     const DECLARED: Declared;
@@ -97,7 +96,6 @@ macro_rules! table {
         }
 
         impl<N: Number> Call<'_, N> {
-            /// The value.
             pub(crate) fn exact(&self) -> Result<Value<N>, EvalError> {
                 match self.built_in {
                     $(BuiltIn::$variant => $file::$type::exact(self).map(Into::into),)*

@@ -16,7 +16,6 @@ use scenelang_lang::program::{ObjectId, Program, Unit};
 /// By how much a way may be narrower than it is asked to be, and then some (metres).
 const SLACK: f64 = 3e-3;
 
-/// See the file.
 pub(super) struct Reachable;
 
 impl Semantics for Reachable {

@@ -9,7 +9,6 @@ use nalgebra::Matrix3;
 use scenelang_lang::program::{ObjectId, Program, Unit};
 use scenelang_layout::{Obb, Separation, Vec3, obb};
 
-/// See the file.
 pub(super) struct Visible;
 
 impl Semantics for Visible {

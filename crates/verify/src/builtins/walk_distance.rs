@@ -17,7 +17,6 @@ use scenelang_lang::program::{Program, Unit};
 /// Longer than any way that could be compared with anything (metres).
 const NO_WAY: f64 = 1e12;
 
-/// See the file.
 pub(super) struct WalkDistance;
 
 impl Semantics for WalkDistance {

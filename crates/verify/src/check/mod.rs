@@ -49,7 +49,6 @@ pub enum Subject {
     Statement(usize),
     /// A pair of objects, in the order of their names.
     Pair(ObjectId, ObjectId),
-    /// An object.
     Object(ObjectId),
     /// A movable part of an object: which of its joints.
     Part(ObjectId, u8),
@@ -89,7 +88,6 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Which row it is.
     pub fn row(&self) -> RowRef {
         RowRef { kind: self.kind, subject: self.subject }
     }

@@ -210,7 +210,6 @@ fn ids(program: &Program) -> impl Iterator<Item = ObjectId> + use<> {
 pub struct Ruled {
     /// Whether it holds.
     pub holds: Option<bool>,
-    /// Its row.
     pub row: Option<Judged>,
 }
 

@@ -150,7 +150,6 @@ impl Flat {
         let [sin, cos] = self.turn;
         [self.at[0] + u * cos + v * sin, self.at[1] - u * sin + v * cos]
     }
-    /// Its corners.
     pub fn corners(&self) -> [[f64; 2]; 4] {
         let [w, d] = self.half;
         [[-w, -d], [w, -d], [w, d], [-w, d]].map(|p| self.point(p))

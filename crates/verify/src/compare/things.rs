@@ -15,7 +15,6 @@ const SLIGHT: f64 = 0.05;
 /// An object or a region that differs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ChangedThing {
-    /// Its name.
     pub name: String,
     /// In which ways.
     pub changes: Vec<Change>,
@@ -34,7 +33,6 @@ pub struct Change {
     /// What it was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub before: Option<Json>,
-    /// What it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub after: Option<Json>,
 }
@@ -81,7 +79,6 @@ pub struct Changed {
     pub name: String,
     /// What it was.
     pub before: Json,
-    /// What it is.
     pub after: Json,
 }
 

@@ -11,11 +11,9 @@ use std::collections::HashMap;
 pub struct Difference {
     /// Its id in the second report, or in the first where only that has it.
     pub id: String,
-    /// What kind.
     pub kind: RowKind,
     /// As written, or the rule in words.
     pub text: String,
-    /// How it differs.
     pub what: Turn,
     /// Unit of the margins.
     pub unit: Option<String>,
@@ -25,7 +23,6 @@ pub struct Difference {
     pub after: Option<ComparedVerdict>,
 }
 
-/// A verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ComparedVerdict {
     /// `None`: cannot be judged.

@@ -15,7 +15,6 @@ fn ill_typed<N: Algebra>(value: Value<N>) -> ! {
     unreachable!("a formula of the wrong types: {value:?}")
 }
 
-/// A number.
 pub(super) fn number<N: Algebra>(value: Value<N>) -> N {
     match value {
         Value::Number(n) => n,

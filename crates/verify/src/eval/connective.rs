@@ -75,12 +75,10 @@ pub(super) fn same_turn<N: Number>(a: Value<N>, b: Value<N>, tolerances: &Tolera
     }
 }
 
-/// All of them.
 pub(super) fn all<N: Algebra>(values: &Values<N>, parts: &[NodeId]) -> Result<Truth<N>, EvalError> {
     join(values, parts, true, Truth::and)
 }
 
-/// One of them.
 pub(super) fn any<N: Algebra>(values: &Values<N>, parts: &[NodeId]) -> Result<Truth<N>, EvalError> {
     join(values, parts, false, Truth::or)
 }

@@ -71,7 +71,6 @@ pub enum Value<N: Algebra> {
     Vector(V3<N>),
     /// A rotation as an Euler triple in degrees.
     Rotation(V3<N>),
-    /// A truth.
     Truth(Truth<N>),
 }
 
@@ -122,7 +121,6 @@ pub enum Cause {
     MissingDraw(DrawId),
     /// What the layout gives for the variable or the draw is refused, and said so at its own place.
     Refused,
-    /// Division by zero.
     DivisionByZero,
     /// The square root of a negative number.
     NegativeRoot,

@@ -73,7 +73,6 @@ pub struct SmallestMove {
 /// A move of one object from where the layout has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectMove {
-    /// Which.
     pub object: ObjectId,
     /// Along x, y, z (metres).
     pub by: [f64; 3],
@@ -83,7 +82,6 @@ pub struct ObjectMove {
     pub with: Option<ObjectId>,
 }
 
-/// The name of an object.
 fn name(program: &Program, id: ObjectId) -> &str {
     &program.objects[id.0 as usize].name
 }

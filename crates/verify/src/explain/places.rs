@@ -9,7 +9,6 @@ use scenelang_lang::program::{ObjectId, Program};
 /// Where an object is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectPlace {
-    /// Which.
     pub object: ObjectId,
     /// Centre of its bottom face (metres).
     pub pos: [f64; 3],

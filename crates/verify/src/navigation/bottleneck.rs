@@ -31,12 +31,9 @@ pub(crate) struct Bottleneck {
     pub end: Option<usize>,
 }
 
-/// What blocks at a bottleneck.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Blocker {
-    /// An object.
     Object(ObjectId),
-    /// A wall of a region.
     Wall(RegionId),
     /// A side of the opening of a door.
     Door(ObjectId),

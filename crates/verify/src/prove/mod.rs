@@ -113,7 +113,6 @@ pub struct Proof {
     pub steps: Vec<ProofStep>,
 }
 
-/// A step of a proof.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProofStep {
     /// How many suppositions it stands under.

@@ -89,7 +89,6 @@ const CROWD: usize = 400;
 const SKEW: f64 = 0.0018;
 
 impl ClaimModel {
-    /// The model of a choice.
     pub fn new(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
         let mut tape = Tape::new();
         let model = tape.record(|| Self::noted(program, options, choice));

@@ -23,7 +23,6 @@ use std::f64::consts::PI;
 /// A box that may stand in a region, by terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member<T> {
-    /// That it is inside.
     pub inside: Claim,
     pub size: [T; 3],
     pub bottom: T,

@@ -19,7 +19,6 @@ pub(super) struct Placing {
     region: [Option<Var>; 2],
     /// What the claims are made of, parts first.
     parts: Vec<Var>,
-    /// The claims.
     pub claims: Vec<Claim>,
 }
 

@@ -63,7 +63,6 @@ enum Undo {
     Verdict(u32),
 }
 
-/// The state.
 #[derive(Clone, Debug)]
 pub(super) struct State {
     pub domain: Vec<Interval>,
@@ -171,7 +170,6 @@ impl State {
         self.verdict[claim.index()] == Some(claim.is_contrary())
     }
 
-    /// Decides a claim.
     pub fn decide(&mut self, claim: Claim, reasons: &[EventId]) -> Result<(), Conflict> {
         if self.is_true(claim) {
             return Ok(());

@@ -165,7 +165,6 @@ pub(crate) fn range(term: Term) -> Interval {
     tape(|t| t.range(term))
 }
 
-/// All of them.
 pub(crate) fn all(claims: &[Claim]) -> Claim {
     let mut parts: Vec<Claim> = claims.iter().copied().filter(|c| *c != Claim::TRUE).collect();
     parts.sort_unstable();
@@ -180,7 +179,6 @@ pub(crate) fn all(claims: &[Claim]) -> Claim {
     }
 }
 
-/// One of them.
 pub(crate) fn any(claims: &[Claim]) -> Claim {
     let contrary: Vec<Claim> = claims.iter().map(|c| c.negated()).collect();
     all(&contrary).negated()

@@ -417,12 +417,10 @@ impl<'p> Unknowns<'p> {
         edges
     }
 
-    /// An object.
     pub fn thing(&self, id: ObjectId) -> ObjectInstance<Term> {
         self.world.objects[id.0 as usize].clone().expect("every object that is spoken of is there")
     }
 
-    /// A region.
     pub fn room(&self, id: RegionId) -> RegionInstance<Term> {
         self.world.regions[id.0 as usize].clone().expect("every region is there")
     }

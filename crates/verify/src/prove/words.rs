@@ -15,7 +15,6 @@ use scenelang_lang::program::Program;
 const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: rooms are assumed to be \
     unrotated, and objects to stand upright on the floor, as `solve` places them";
 
-/// Findings as diagnostics.
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
     for &statement in &findings.always {

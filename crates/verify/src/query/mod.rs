@@ -38,7 +38,6 @@ pub struct Query {
     pub judged_with: Option<JudgedWith>,
 }
 
-/// An object.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Object {
     /// As in the layout: `lamp`, `chair[0]`.
@@ -58,7 +57,6 @@ pub struct Object {
     pub details: Option<Details>,
 }
 
-/// A declaration.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Declared {
     /// Where it is.
@@ -81,7 +79,6 @@ pub struct Pose {
 /// How many constraints that speak of an object have which verdict.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// They hold.
     pub holds: usize,
     /// They must hold, and do not.
     pub fails: usize,
@@ -121,7 +118,6 @@ pub struct Opens {
 pub struct QueryRow {
     /// As in reports: `room.scene:12:1`, `P-SUPPORT:lamp`.
     pub id: String,
-    /// What kind.
     pub kind: RowKind,
     /// The statement as written, or the rule in words.
     pub text: String,

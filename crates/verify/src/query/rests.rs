@@ -26,17 +26,14 @@ pub struct RestsOn {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum On {
-    /// A floor.
     Floor,
     /// Another object.
     Object,
     /// A wall that it hangs on, or is set in.
     Wall,
-    /// A ceiling.
     Ceiling,
     /// The object that it is in.
     Inside,
-    /// Nothing.
     Nothing,
 }
 

@@ -227,7 +227,6 @@ impl RowKind {
 pub struct Row {
     /// `room.scene:12:1` for a statement; for a physical rule `P-COLLIDE:a:b` (names sorted), `P-BOUNDS:a`, `P-OPEN:a/door`.
     pub id: String,
-    /// What kind.
     pub kind: RowKind,
     /// `P-COLLIDE`, `P-BOUNDS`, `P-SUPPORT`, `P-OPEN`; `None` for a stated constraint.
     pub rule: Option<String>,
@@ -301,7 +300,6 @@ pub struct Measured {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Quantity {
-    /// One number.
     Number(f64),
     /// x, y and z.
     Triple([f64; 3]),
@@ -310,7 +308,6 @@ pub enum Quantity {
 /// Where an object is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Whereabouts {
-    /// Its name.
     pub name: String,
     /// Centre of its bottom face (metres).
     pub pos: [f64; 3],
@@ -429,6 +426,5 @@ pub struct Remedy {
 pub struct Replacement {
     /// What is replaced; empty: insert.
     pub span: SourceSpan,
-    /// By what.
     pub text: String,
 }

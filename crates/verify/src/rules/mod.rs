@@ -104,7 +104,6 @@ impl Scope {
     }
 }
 
-/// The mounts of an object.
 pub fn mounts(allow: &Allowances, object: ObjectId) -> impl Iterator<Item = &Mount> {
     allow.mounts.iter().filter(move |m| m.object == object)
 }

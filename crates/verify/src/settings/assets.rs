@@ -16,7 +16,6 @@ const WAIT: f64 = 3600.0;
 /// The most models made in one run.
 const MODELS: f64 = 100_000.0;
 
-/// A kind of provider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProviderKind {
     /// Folders of models.

@@ -37,7 +37,6 @@ const SUM: usize = 64;
 /// How much of what somebody says goes into a remark (characters).
 const SAID: usize = 200;
 
-/// What is ordered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Order {
     /// "red oak office chair, with armrests".

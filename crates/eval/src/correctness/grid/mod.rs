@@ -80,7 +80,6 @@ pub fn place(scene: &DatasetScene, program: &Program, seed: u64) -> Placed {
     Placed { layout, dropped, work, is_cut }
 }
 
-/// The place of a room.
 pub(crate) fn region(room: &crate::dataset::RoomRecord) -> RegionPlacement {
     RegionPlacement {
         pos: Vec3::new(room.x, 0.0, 0.0),

@@ -32,7 +32,6 @@ pub(crate) struct GridObject {
     pub constraints: Vec<Constraint>,
 }
 
-/// The best attempt.
 pub(crate) struct BestAttempt {
     pub spots: Vec<Option<Spot>>,
     pub work: u64,

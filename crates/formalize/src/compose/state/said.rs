@@ -13,9 +13,7 @@ const AT_FOOT: f64 = 0.6;
 /// A relation of one thing to another that is not denied.
 #[derive(Clone, Copy)]
 pub(super) struct Said {
-    /// What it is said of.
     pub a: usize,
-    /// What is said.
     pub rel: Rel,
     /// The other thing.
     pub b: usize,

@@ -45,13 +45,10 @@ enum Expect {
 enum Join {
     /// As such things usually do.
     Usual,
-    /// On it.
     On,
-    /// In it.
     In,
     /// At its sides.
     Beside,
-    /// Around it.
     Around,
     /// Over it.
     Above,
@@ -96,7 +93,6 @@ pub struct Reader<'a> {
 #[derive(Clone, Debug, Default)]
 struct Sentence {
     at: Range<usize>,
-    /// Its chunks.
     chunks: Range<usize>,
     /// Of how many of the things on the other side the relation is said that is read.
     quantifier: Quantifier,

@@ -199,7 +199,6 @@ impl Reader<'_> {
         }
     }
 
-    /// A relation to a place.
     fn relate_place(&mut self, said: Said, place: Place, which: Vec<String>) {
         let Said { i, next, end, rel, of, negative, before_subject } = said;
         let chunks = self.chunks;

@@ -4,7 +4,6 @@ use super::super::lexicon::{Class, Lexicon, get};
 use super::super::token::Token;
 use super::{Det, NounKind, Np};
 
-/// See the file.
 pub(super) struct Scan<'t> {
     pub rest: &'t [Token],
     pub lexicon: &'static Lexicon,

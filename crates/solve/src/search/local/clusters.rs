@@ -25,7 +25,6 @@ const PLACES: usize = 300;
 /// Which things belong together.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Clusters {
-    /// The members of each.
     pub members: Vec<Vec<usize>>,
     /// By object: the cluster that it is in.
     pub of: Vec<Option<usize>>,

@@ -29,7 +29,6 @@ impl Preference {
     }
 }
 
-/// How preferences stand.
 #[derive(Clone, Copy)]
 pub(super) struct Standing {
     /// How much those weigh that hold.
@@ -157,7 +156,6 @@ impl LocalSearch<'_> {
         found.into_iter().map(|(_, preference)| preference).collect()
     }
 
-    /// How the preferences stand.
     pub(super) fn standing(&self, preferences: &[Preference]) -> Standing {
         Standing::of(&self.trial, preferences)
     }
