@@ -115,7 +115,7 @@ fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
             continue;
         }
         let Load { width, area, sides } = load(brief, out, b);
-        let width = width.max(places(&brief.things[b]));
+        let width = width.max(places(&brief.things[b], brief.count(b)));
         let flat = brief.things[b].group == Group::Flat;
         let top = out[b][0] * out[b][2];
         let wanted = area * if flat { 2.2 } else { 1.8 };
@@ -136,9 +136,10 @@ fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
 
 /// How long a thing is for the people it is said to be for: they sit around a round table, at both long sides of another,
 /// and side by side on a sofa and in a bed.
-fn places(item: &Thing) -> f64 {
+fn places(item: &Thing, count: usize) -> f64 {
     const EACH: f64 = 0.6;
-    let Some(people) = item.places.map(|n| n as f64) else { return 0.0 };
+    // "Chairs for eight" are eight chairs, each for one.
+    let Some(people) = item.places.map(|n| n.div_ceil(count.max(1)) as f64) else { return 0.0 };
     match item.group {
         Group::Table if item.look.features.iter().any(|f| f == "round") => people * EACH / std::f64::consts::PI,
         Group::Table => (people / 2.0).ceil() * EACH,

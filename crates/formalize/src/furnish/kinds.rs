@@ -115,8 +115,8 @@ pub struct FurnishingKind {
     pub means: Vec<(&'static str, &'static str)>,
     /// The inventory, what matters most first.
     pub lines: Vec<Line>,
-    /// In a home without a dining room, what one eats at.
-    pub eat: Option<Line>,
+    /// In a home without a dining room, what one eats at; the first for which there is room.
+    pub eat: Vec<Line>,
     /// Width and height of a wide door for cars and goods, beside the ordinary one.
     pub gate: Option<[f64; 2]>,
     /// How wide the place of a bed is in a ward, and how deep a ward is with beds at one wall and at two.
@@ -214,7 +214,7 @@ fn set(kind: &mut FurnishingKind, key: &str, value: &'static str) {
                 (kind.people, kind.each) = (people, each);
             }
         }
-        "eat" => kind.eat = entry(value),
+        "eat" => kind.eat = value.split(',').filter_map(|line| entry(line.trim())).collect(),
         "bay" => kind.bay = numbers().try_into().ok(),
         "gate" => kind.gate = numbers().try_into().ok(),
         "inner" => kind.inner = Some(value),

@@ -126,7 +126,7 @@ impl<'a> Plan<'a> {
     /// Whether one eats in the room for want of another, beside what such a room has.
     pub fn dines(&self) -> bool {
         let eats = |room: &crate::draft::DraftRoom| super::kinds::of(&room.kind).is_some_and(|kind| kind.is_eaten_in());
-        self.kind.eat.is_some() && self.draft.rooms.len() > 1 && !self.draft.rooms.iter().any(eats)
+        !self.kind.eat.is_empty() && self.draft.rooms.len() > 1 && !self.draft.rooms.iter().any(eats)
     }
 
     /// Whether rows of people look to the back of the room.

@@ -145,17 +145,18 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
     stand_up(plan, &order.first);
     let (first, rest) = plan.kind.lines.split_at(plan.kind.lines.len().min(2));
     let dines = plan.dines();
-    let eat = plan.kind.eat.iter().filter(|_| dines);
     // Where one eats in the room, too, its armchairs do not come first.
     let all = plan.counted;
-    if eat.clone().next().is_some() {
+    if dines {
         plan.counted -= EATING;
     }
     for (i, line) in first.iter().chain(rest).enumerate() {
         if i == first.len() {
             plan.counted = all;
             stand_up(plan, &order.later);
-            eat.clone().for_each(|line| eat_at(plan, line));
+            if dines {
+                eat_at(plan);
+            }
             order.hung.iter().for_each(|thing| hang::up(plan, *thing));
         }
         let matters = i < MATTER && is_essential(plan, line);
@@ -216,13 +217,18 @@ fn matter(plan: &mut Plan, line: &Line, matters: bool) {
 }
 
 /// Adds what one eats at, if there is room for its seats, too.
-fn eat_at(plan: &mut Plan, line: &Line) {
-    let draft = plan.draft.clone();
-    let before = (plan.ground.clone(), plan.floor, plan.walls, plan.turn);
+fn eat_at(plan: &mut Plan) {
     plan.matters = true;
-    inventory(plan, line);
-    let new = &plan.draft.things[draft.things.len()..];
-    if !new.iter().any(|thing| stand::group(&thing.category) == Group::Seat) {
+    let lacking = plan.lacking;
+    for line in &plan.kind.eat {
+        let draft = plan.draft.clone();
+        let before = (plan.ground.clone(), plan.floor, plan.walls, plan.turn);
+        inventory(plan, line);
+        let new = &plan.draft.things[draft.things.len()..];
+        if new.iter().any(|thing| stand::group(&thing.category) == Group::Seat) {
+            plan.lacking = lacking;
+            return;
+        }
         *plan.draft = draft;
         (plan.ground, plan.floor, plan.walls, plan.turn) = before;
     }

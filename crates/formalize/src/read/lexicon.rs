@@ -274,7 +274,12 @@ impl Lexicon {
 
     /// The longest verb that begins here, and how many tokens it takes.
     pub fn verb(&self, tokens: &[Token]) -> Option<(Verb, usize)> {
-        longest(&self.verbs, tokens)
+        // "a desk and display cases"
+        let names = |second: &Token| {
+            let phrase = format!("{} {}", tokens[0].text, singular(&second.text));
+            tokens[0].is("display") && second.word() && self.nouns.contains_key(phrase.as_str())
+        };
+        longest(&self.verbs, tokens).filter(|_| !tokens.get(1).is_some_and(names))
     }
 
     /// Whether a phrase that begins here softens what is asked, and how many tokens it takes.

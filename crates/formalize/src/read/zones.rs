@@ -5,7 +5,7 @@ use super::lexicon::get;
 use super::number;
 use super::paraphrase::put;
 use super::token::{self, Token};
-use crate::furnish::kinds::{self, FurnishingKind};
+use crate::furnish::kinds::{self, Count, FurnishingKind};
 use std::sync::OnceLock;
 
 /// What follows the name of an activity.
@@ -107,9 +107,16 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
         return put(tokens, from, end + 2, &[&first]);
     }
     let told = OWN.contains(&next) || number::count(&tokens[end.min(tokens.len())..]).is_some();
-    let is_there = kind.lines.iter().any(|line| line.least == 0.0 && zone.present.contains(&line.noun));
-    if !told && !is_there {
-        put(tokens, from, end, &zone.things);
+    let mut there = kind.lines.iter().filter(|line| line.least == 0.0 && zone.present.contains(&line.noun));
+    match there.next() {
+        _ if told => {}
+        None => put(tokens, from, end, &zone.things),
+        // What such rooms have anyway is asked for then.
+        Some(line) if line.count == Count::Fixed(1) => {
+            let words: Vec<&str> = std::iter::once("a").chain(line.noun.split(' ')).collect();
+            put(tokens, from, end, &words);
+        }
+        Some(_) => {}
     }
 }
 
@@ -150,6 +157,7 @@ mod tests {
             ("a pizzeria with an open kitchen", "a pizzeria with a kitchen counter"),
             ("a living room with a workspace", "a living room with a desk"),
             // What such rooms have anyway.
+            ("a bookshop with a reading corner", "a bookshop with a reading chair"),
             ("a bakery with a seating area", "a bakery with a seating area"),
             // What is a room.
             ("i want a reading nook with a bookshelf", "i want a reading nook with a bookshelf"),

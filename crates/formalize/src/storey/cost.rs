@@ -8,6 +8,11 @@ pub const DOORWAY: f64 = 1.15;
 /// Rooms with pipes are next to each other if they share so much wall (metres).
 const PIPES: f64 = 0.5;
 
+/// The length of a parked car with the way around it, and the width of a place for one (metres).
+const CAR: [f64; 2] = [5.3, 3.0];
+/// What a garage costs that no car fits into.
+const NO_DRIVE: f64 = 60.0;
+
 /// Which doors a plan has, and what it lacks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ways {
@@ -67,6 +72,9 @@ pub fn cost(cells: &[Cell], rects: &[Rect], hub: usize, links: &[(usize, usize)]
         if cell.fixed.is_none() {
             out += shape(cell, rect, room == hub);
         }
+        if cell.garage && !has_drive(rect, rects) {
+            out += NO_DRIVE;
+        }
     }
     out + pipes(cells, rects) + outline(rects)
 }
@@ -93,6 +101,16 @@ fn shape(cell: &Cell, rect: &Rect, hub: bool) -> f64 {
         + narrow(cell.sides[1], long)
         + 800.0 * square(area / cell.area[1] - 1.0)
         + 30.0 * square(1.0 - area / cell.area[0])
+}
+
+/// Whether a car that enters through an outer wall has room behind that wall.
+fn has_drive(rect: &Rect, rects: &[Rect]) -> bool {
+    let [low, size] = bounds(rects);
+    (0..2).any(|axis| {
+        let at_low = rect.low[axis] < low[axis] + 0.01;
+        let at_high = rect.low[axis] + rect.size[axis] > low[axis] + size[axis] - 0.01;
+        (at_low || at_high) && rect.size[axis] >= CAR[0] && rect.size[1 - axis] >= CAR[1]
+    })
 }
 
 /// What pipes that are far apart cost, and a kitchen that is away from where one eats.

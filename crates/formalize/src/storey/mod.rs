@@ -273,6 +273,7 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
             hall: is(room, &["hallway"]),
             kitchen,
             shared: is(room, &["living room", "dining room"]),
+            garage: is(room, &["garage"]),
             own: own.filter(|own| *own != hub && !is_passage(&brief.rooms[*own].name)),
         });
     }
@@ -301,7 +302,7 @@ fn at_home(
         more.filter(|thing| matches!(thing.source, ThingOrigin::Stated(_)) && !own(&thing.category.replace('_', " ")));
     let more: f64 = more.filter_map(|thing| thing.size).map(|[w, _, d]| w * (d + USE)).sum();
     let dines = |room: &DraftRoom| kinds::of(&room.kind).is_some_and(FurnishingKind::is_eaten_in);
-    let eats = kind.eat.is_some() && !draft.rooms.iter().any(dines);
+    let eats = !kind.eat.is_empty() && !draft.rooms.iter().any(dines);
     let more = more + if eats { EATING } else { 0.0 };
     let area = (area * said).max(needed) + more;
     ([area, (most * said).max(area * 1.15)], side * said.clamp(0.85, 1.3).sqrt())

@@ -34,6 +34,8 @@ pub struct Cell {
     pub kitchen: bool,
     /// Whether one eats or sits there together.
     pub shared: bool,
+    /// Whether a car is driven in from outside.
+    pub garage: bool,
     /// The room that alone leads to it: of a bathroom its bedroom.
     pub own: Option<usize>,
 }
