@@ -31,8 +31,18 @@ const FOR_TWO: f64 = 1.9;
 /// What stands free with its seats is at least so far from others, if the room may be larger (metres).
 const CLOSE: f64 = 0.45;
 /// What stands or leads along a wall.
-const PARKED: [&str; 9] =
-    ["staircase", "stairs", "stairway", "bicycle", "mountain bike", "motorcycle", "motorbike", "moped", "kayak"];
+const PARKED: [&str; 10] = [
+    "staircase",
+    "stairs",
+    "stairway",
+    "ladder",
+    "bicycle",
+    "mountain bike",
+    "motorcycle",
+    "motorbike",
+    "moped",
+    "kayak",
+];
 /// What stands in a corner and is higher is in the way everywhere else (metres).
 const TALL: f64 = 1.8;
 /// So many of what stands free stand in a row.

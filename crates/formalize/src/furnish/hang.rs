@@ -48,11 +48,13 @@ fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
 fn lamps(plan: &mut Plan, it: &DraftThing, y: f64) {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let tables = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
+    let long = |size: [f64; 3]| size[0].max(size[2]);
     let mut tables =
-        tables.filter(|t| stand::group(&t.category) == Group::Table && t.size.is_some_and(|s| s[0] > LONG));
-    let table = tables.find_map(|t| Some((plan.place_in_room(&t.name)?, t.size?[0]))).filter(|_| it.count > 1);
+        tables.filter(|t| stand::group(&t.category) == Group::Table && t.size.is_some_and(|s| long(s) > LONG));
+    let table = tables.find_map(|t| Some((plan.place_in_room(&t.name)?, t.size?))).filter(|_| it.count > 1);
     let (middle, length) = match table {
-        Some((at, long)) => (at, long),
+        Some((at, size)) if size[2] > size[0] => (Pose { yaw: at.yaw + 90.0, ..at }, size[2]),
+        Some((at, size)) => (at, size[0]),
         None => (Pose { yaw: if w >= d { 0.0 } else { 90.0 }, ..Pose::default() }, w.max(d)),
     };
     let step = length / it.count as f64;

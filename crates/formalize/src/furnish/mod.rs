@@ -386,6 +386,19 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
     }
 }
 
+/// Whether what matters most in a room of this kind has a planned place, where it is there and such rooms have it at a wall: of a
+/// bedroom its bed.
+pub fn has_place_for_first(draft: &Draft, at: usize) -> bool {
+    let Some(first) = kinds::of(&draft.rooms[at].kind).and_then(|kind| kind.lines.first()) else { return true };
+    let is_first =
+        |thing: &&DraftThing| thing.room == Some(at) && stand::counts_as(first.noun, &thing.category.replace('_', " "));
+    first.place != kinds::PlanPlace::Wall
+        || draft.things.iter().filter(is_first).all(|thing| {
+            let name = if thing.count > 1 { format!("{}[0]", thing.name) } else { thing.name.clone() };
+            draft.place_of(&name).is_some() || stand::placed(draft, &thing.name)
+        })
+}
+
 /// Whether "shelves" are asked for, with nothing else said of them, in a room that has several rows of those: others are added to
 /// them.
 fn is_among_more(draft: &Draft, brief: &Brief, thing: &DraftThing) -> bool {

@@ -22,12 +22,31 @@ pub(super) fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, i, end, &["three", "gym", "mirrors"]);
         return true;
     }
+    let wine = match [word(tokens, first), word(tokens, first + 1), word(tokens, first + 2)] {
+        ["wall", "of", "wine" | "wines"] => Some(first + 3),
+        ["wine", "wall", _] => Some(first + 2),
+        _ => None,
+    };
+    if let Some(end) = wine {
+        put(tokens, i, end, &["three", "wine", "racks"]);
+        return true;
+    }
     let end = match [word(tokens, first), word(tokens, first + 1), word(tokens, first + 2)] {
         ["wall", "of", books] if SHELVES.contains(&books) => first + 3,
         ["bookshelf" | "bookcase" | "book", "wall", _] => first + 2,
         _ => return false,
     };
     put(tokens, i, end, &["three", "bookshelves"]);
+    true
+}
+
+/// "A boxing gym with a ring": one to box in.
+pub(super) fn ring(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let boxes = tokens.iter().any(|t| t.is("boxing"));
+    if !boxes || word(tokens, i) != "ring" || i == 0 || word(tokens, i - 1) == "boxing" {
+        return false;
+    }
+    put(tokens, i, i + 1, &["boxing", "ring"]);
     true
 }
 
@@ -338,6 +357,8 @@ mod tests {
             ("a study doubling as a guest room with a lamp", "a study with a sofa bed and a lamp"),
             ("a bedroom with a walk-in wardrobe corner and a lamp", "a bedroom with two wardrobes and a lamp"),
             ("a depot with two loading docks", "a depot with two garage doors"),
+            ("a boxing gym with a ring and benches", "a boxing gym with a boxing ring and benches"),
+            ("a wine bar with a wine wall", "a wine bar with three wine racks"),
             ("a gym with a bench, weights and a mirror", "a gym with a bench , a dumbbell rack and a mirror"),
             ("a shop with weights", "a shop with weights"),
             ("a house with a kitchen-diner", "a house with a dining kitchen"),

@@ -36,7 +36,7 @@ use crate::brief::{Brief, MOST_GUIDED, Room, Word};
 use crate::complete::{Extent, complete};
 use crate::compose::compose;
 use crate::draft::{Draft, Note};
-use crate::furnish::furnish;
+use crate::furnish::{furnish, has_place_for_first};
 use crate::reconcile::{reconcile, reconcile_quickly};
 use account::Account;
 pub use account::BECAME_NOTHING;
@@ -156,7 +156,7 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let nothing = brief.words.iter().all(|word| !word.used) && brief.things.is_empty();
     let extent = if nothing || options.literal { Extent::Literal } else { Extent::Usual };
     let brief = complete(brief, extent);
-    let mut draft = compose(&brief);
+    let mut draft = if extent == Extent::Usual { with_room_for_all(&brief) } else { compose(&brief) };
     draft.notes.splice(0..0, brief.notes.iter().cloned());
     let people = brief.rooms.iter().find_map(|room| room.people);
     let people = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none()));
@@ -165,9 +165,6 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
         draft.notes.push(Note { at: people::phrase(&brief.request), reason });
     }
     if extent == Extent::Usual {
-        // What was added contradicts nothing, either, so the close look comes after it.
-        reconcile_quickly(&mut draft);
-        furnish(&mut draft, &brief);
         draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;
         if !draft.guided {
             let reason = format!("with more than {MOST_GUIDED} objects the guidelines of the library are left out");
@@ -187,6 +184,43 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
         words: brief.words,
         nothing,
     }
+}
+
+/// A furnished draft. Of several rooms each has the place that what matters most in it needs: a bedroom grows that has no room for
+/// its bed beside its doors.
+fn with_room_for_all(brief: &Brief) -> Draft {
+    const GROWN: usize = 3;
+    const GROWTH: f64 = 1.12;
+    let furnished = |brief: &Brief| {
+        let mut draft = compose(brief);
+        // What was added contradicts nothing, either, so the close look comes after it.
+        reconcile_quickly(&mut draft);
+        furnish(&mut draft, brief);
+        draft
+    };
+    let narrow = |draft: &Draft| -> Vec<usize> {
+        let free = |at: &usize| !draft.rooms[*at].sized && draft.rooms.len() > 1;
+        (0..draft.rooms.len()).filter(free).filter(|at| !has_place_for_first(draft, *at)).collect()
+    };
+    let mut draft = furnished(brief);
+    let mut rooms = narrow(&draft);
+    let mut larger = brief.clone();
+    for _ in 0..GROWN {
+        if rooms.is_empty() {
+            break;
+        }
+        for at in &rooms {
+            if let Some([w, _, d]) = &mut larger.rooms[*at].usual {
+                (*w, *d) = (*w * GROWTH, *d * GROWTH);
+            }
+        }
+        let next = furnished(&larger);
+        let left = narrow(&next);
+        if left.len() < rooms.len() {
+            (draft, rooms) = (next, left);
+        }
+    }
+    draft
 }
 
 /// Whether enough words are English of the kind that the reader knows.

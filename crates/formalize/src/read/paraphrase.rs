@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 34] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 35] = [
             apart,
             together,
             each_other,
@@ -26,6 +26,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             walls,
             distance,
             meant::walls,
+            meant::ring,
             meant::vehicles,
             meant::audience,
             meant::window_counter,

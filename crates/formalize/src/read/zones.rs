@@ -116,7 +116,11 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
             let words: Vec<&str> = std::iter::once("a").chain(line.noun.split(' ')).collect();
             put(tokens, from, end, &words);
         }
-        Some(_) => {}
+        Some(line) => {
+            let words: Vec<&str> = line.noun.split(' ').collect();
+            let several = format!("{}s", words[words.len() - 1]);
+            put(tokens, from, end, &[&words[..words.len() - 1], &[several.as_str()]].concat());
+        }
     }
 }
 
@@ -158,7 +162,8 @@ mod tests {
             ("a living room with a workspace", "a living room with a desk"),
             // What such rooms have anyway.
             ("a bookshop with a reading corner", "a bookshop with a reading chair"),
-            ("a bakery with a seating area", "a bakery with a seating area"),
+            ("a bakery with a seating area", "a bakery with cafe tables"),
+            ("a bank with a waiting area", "a bank with waiting chairs"),
             // What is a room.
             ("i want a reading nook with a bookshelf", "i want a reading nook with a bookshelf"),
             (
