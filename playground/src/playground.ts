@@ -202,7 +202,7 @@ export class Playground {
   private failed(why: unknown): void {
     const { name } = this;
     this.page.tell(`This program cannot be checked: ${why instanceof Error ? why.message : String(why)}`, "bad");
-    this.quick.end(new Error("it cannot be checked"));
+    this.quick.end(new Error("the program could not be checked"));
     void this.quick.ask({ method: "open", name, text: "", layout: null }).catch(() => {});
   }
 

@@ -151,8 +151,8 @@ fn mass(model: &CatalogueModel) -> Option<Diagnostic> {
     let density = mass / model.size.product();
     let why = match () {
         () if mass <= 0.0 => "which is not possible".to_owned(),
-        () if density < LIGHTEST => format!("{:.2} kg/m³: less than the air in its box", density),
-        () if density > HEAVIEST => format!("{density:.0} kg/m³: more than a block of steel of its size"),
+        () if density < LIGHTEST => format!("{:.2} kg/m³: lighter than air", density),
+        () if density > HEAVIEST => format!("{density:.0} kg/m³: heavier than a block of steel of the same size"),
         () => return None,
     };
     let say = format!("its mass is {} kg, {why}", shown(mass));

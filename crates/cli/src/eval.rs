@@ -33,7 +33,10 @@ pub fn requests(args: &EvalRequests) -> u8 {
     drop(progress);
     let requests = match requests {
         Ok(requests) if requests.cases.is_empty() => {
-            return fail(&format!("there is no NAME.txt with a NAME.expect.json in {}", args.folder.display()));
+            return fail(&format!(
+                "{} contains no requests; a request is a file NAME.txt with a NAME.expect.json",
+                args.folder.display()
+            ));
         }
         Ok(requests) => requests,
         Err(message) => return fail(&message),
@@ -127,7 +130,7 @@ fn text(requests: &Requests, worst: usize) -> String {
             let _ = writeln!(out, "    {miss}");
         }
         if !case.reading.silent.is_empty() {
-            let _ = writeln!(out, "    lost without a note: {}", case.reading.silent.join(", "));
+            let _ = writeln!(out, "    ignored, and not mentioned in a note: {}", case.reading.silent.join(", "));
         }
     }
     out

@@ -267,8 +267,13 @@ pub fn notes(reading: &Reading) -> String {
     }
     // Single words that became nothing are listed already.
     for note in reading.draft.notes.iter().filter(|note| note.reason != BECAME_NOTHING) {
-        let _ =
-            writeln!(out, "  {}: \"{}\": {}", place(reading, note.at.start), quoted(reading, &note.at), note.reason);
+        let _ = match note.at.is_empty() {
+            true => writeln!(out, "  {}", note.reason),
+            false => {
+                let (place, words) = (place(reading, note.at.start), quoted(reading, &note.at));
+                writeln!(out, "  {place}: \"{words}\": {}", note.reason)
+            }
+        };
     }
     for (name, at) in &reading.absent {
         let _ = writeln!(out, "  {}: no {name}", place(reading, at.start));

@@ -45,7 +45,7 @@ pub fn name(text: &str) -> Result<String, String> {
     if text == Urdf::NAME {
         return Err("urdf contains a single object; name it with --object, or leave urdf out of --only".to_owned());
     }
-    if names.contains(&text) { Ok(text.to_owned()) } else { Err(format!("there are {}", names.join(", "))) }
+    if names.contains(&text) { Ok(text.to_owned()) } else { Err(format!("valid formats: {}", names.join(", "))) }
 }
 
 /// What is left out, for people.

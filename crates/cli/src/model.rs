@@ -167,7 +167,7 @@ pub fn summary(asked: Option<&ModelSession>, advice: Option<&Advice>) {
     let rounds = if tally.rounds == 1 { "round" } else { "rounds" };
     println!("  {} of its {} moves were made, in {} {rounds}", tally.taken, tally.proposed, tally.rounds);
     if *without {
-        println!("  the numeric search found a better layout without it, which was used");
+        println!("  the numeric search found a better layout without the model; that layout was used");
     }
     if let Some(error) = &tally.failed {
         println!("  it stopped early: {error}");

@@ -166,7 +166,7 @@ impl Run<'_> {
         let door = Door::of(&self.args.scene);
         let checked = check_layout_of(&called, line.to_owned(), program, &self.judge, reading, &door);
         let (Some(program), Some(layout)) = (&checked.program, &checked.layout) else {
-            return Err(format!("{stem} cannot be read again"));
+            return Err(format!("cannot read back the layout of {stem} to export it"));
         };
         let report = serde_json::to_value(&checked.report).map_err(|e| e.to_string())?;
         let files: Vec<_> = self

@@ -49,7 +49,7 @@ impl fmt::Display for Freedom {
                 if far < FAR {
                     format!("along {axis} by up to {far} m")
                 } else {
-                    format!("along {axis} by {FAR} m and more")
+                    format!("along {axis} by {FAR} m or more")
                 }
             })
             .collect();

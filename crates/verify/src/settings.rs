@@ -168,7 +168,7 @@ impl Reader {
                 "llm" => self.llm(item),
                 "assets" => self.assets(item),
                 _ if self.own => {
-                    self.error(place_of(table, key), unknown("setting of a user", key, &["llm", "assets"]));
+                    self.error(place_of(table, key), unknown("user setting", key, &["llm", "assets"]));
                 }
                 "physics" => match item.as_bool() {
                     Some(physics) => self.settings.physics = Some(physics),
@@ -234,7 +234,7 @@ impl Reader {
         for (key, item) in table.iter() {
             if key != "allow" {
                 let place = table.get_key_value(key).and_then(|(key, _)| key.span());
-                self.error(place, unknown("setting of lints", key, &["allow"]));
+                self.error(place, unknown("`[lints]` setting", key, &["allow"]));
                 continue;
             }
             let Some(list) = item.as_array() else { return self.wrong("allow", item, "a list of codes") };
@@ -271,7 +271,8 @@ fn kind(item: &Item) -> &'static str {
         Item::Table(_) | Item::Value(Value::InlineTable(_)) => "a table",
         Item::ArrayOfTables(_) => "a list of tables",
         Item::Value(Value::String(_)) => "a string",
-        Item::Value(Value::Integer(_) | Value::Float(_)) => "a number",
+        Item::Value(Value::Integer(_)) => "a number",
+        Item::Value(Value::Float(_)) => "a decimal number",
         Item::Value(Value::Boolean(_)) => "a truth value",
         Item::Value(Value::Datetime(_)) => "a date",
         Item::Value(Value::Array(_)) => "a list",
@@ -347,7 +348,7 @@ mod tests {
         };
         assert_eq!(own(text), Ok(wanted));
         for (text, wanted) in [
-            ("eta = 0.1", "there is no setting of a user `eta`; valid names: llm, assets"),
+            ("eta = 0.1", "there is no user setting `eta`; valid names: llm, assets"),
             ("[llm]\nbase_url = 3", "`base_url` takes a URL, not a number"),
             ("[llm]\nkey = \"sk\"", "`key` is not a setting: keys come from the environment, never from a file"),
         ] {
@@ -375,15 +376,15 @@ mod tests {
             ("[tolerances]\nequal = 1979-05-27", "2:9-19 `equal` takes a number, not a date"),
             ("tolerances = 1", "1:14-15 `tolerances` takes a table of numbers, not a number"),
             ("[[tolerances]]", "1:1-15 `tolerances` takes a table of numbers, not a list of tables"),
-            ("[lints]\ndeny = []", "2:1-5 there is no setting of lints `deny`; valid names: allow"),
+            ("[lints]\ndeny = []", "2:1-5 there is no `[lints]` setting `deny`; valid names: allow"),
             ("[lints]\nallow = \"W0203\"", "2:9-16 `allow` takes a list of codes, not a string"),
             ("[lints]\nallow = [3]", "2:10-11 `allow` takes codes as strings, such as \"W0203\""),
             ("[lints]\nallow = [\"W0230\"]", "2:10-17 there is no code `W0230`; did you mean `W0203`?"),
             ("[lints]\nallow = [\"E0201\"]", "2:10-17 E0201 is not a warning; only warnings can be silenced"),
             ("llm = \"openai:m\"", "1:7-17 `llm` takes a table, not a string"),
             ("[llm]\nmodel = 4", "2:9-10 `model` takes a model as PROVIDER:NAME, not a number"),
-            ("[llm]\nround = 4", "2:1-6 there is no setting of llm `round`; did you mean `rounds`?"),
-            ("[llm]\nrounds = 4.5", "2:10-13 `rounds` takes a whole number, not a number"),
+            ("[llm]\nround = 4", "2:1-6 there is no `[llm]` setting `round`; did you mean `rounds`?"),
+            ("[llm]\nrounds = 4.5", "2:10-13 `rounds` takes a whole number, not a decimal number"),
             ("[llm]\nrounds = 1000", "2:10-14 `rounds` takes a number from 0 to 100"),
             ("[llm]\ntries = 100", "2:9-12 `tries` takes a number from 1 to 10"),
             ("[llm]\nmax_output = 9000000000000", "2:14-27 `max_output` takes a number from 1 to 100000"),
@@ -404,7 +405,7 @@ mod tests {
                 "2:10-11 `prices` takes a table of models, each with `input` and `output`, not a number",
             ),
             ("[llm]\nprices.m.input = 3", "2:8-9 the price of `m` needs `input` and `output`, each per million tokens"),
-            ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no part of a price `in`; valid names: input, output"),
+            ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no price field `in`; valid names: input, output"),
             ("[llm]\nprices.m = { input = -3, output = 1 }", "2:22-24 `input` takes a number from 0 to 1000000000"),
             ("\u{feff}phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
         ] {

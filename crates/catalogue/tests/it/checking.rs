@@ -138,7 +138,7 @@ fn findings_say_how_much_and_what_to_do() {
             "c.glb W0702 the proportions of the size on its card differ from those of its mesh by a factor of 2.00; give its width, height and depth with the front facing +z",
             "d.glb W0702 its longest side is 900 m; its unit may be millimetres",
             "e.glb W0704 its lowest point is 0.1 m above the origin of the file; it is placed on the floor; if it should hang, give its height in the program",
-            "e.glb W0706 its mass is 7000 kg, 9333 kg/m³: more than a block of steel of its size; give the mass in kilograms on its card: `\"mass\": 7.5`",
+            "e.glb W0706 its mass is 7000 kg, 9333 kg/m³: heavier than a block of steel of the same size; give the mass in kilograms on its card: `\"mass\": 7.5`",
             "f.glb W0705 it is one piece that fills 14 % of its convex hull; it is cut into 3 parts at the most suitable positions; build it from several convex pieces that do not share edges",
             "f.glb W0706 its mass is -1 kg, which is not possible; give the mass in kilograms on its card: `\"mass\": 7.5`",
         ]

@@ -101,7 +101,9 @@ fn chosen(args: &EvalSceneEval) -> Result<Benchmark, String> {
         ["odd"] => benchmark.requests.retain(|asked| parity(asked).is_some_and(|digit| digit % 2 == 1)),
         ids => {
             if let Some(id) = ids.iter().find(|id| !benchmark.requests.iter().any(|asked| asked.id == **id)) {
-                return Err(format!("{name} has no request {id:?}; --ids takes even, odd, or IDs of the file"));
+                return Err(format!(
+                    "{name} has no request {id:?}; --ids takes `even`, `odd`, or request IDs from the file"
+                ));
             }
             benchmark.requests.retain(|asked| ids.contains(&asked.id.as_str()));
         }

@@ -61,7 +61,7 @@ pub fn why_not(call: &Call<'_>, WhyNot { file, statement, proof }: WhyNot) -> An
             let at = d.primary.as_ref().map(|label| place(&compiled.sources, label.place));
             format!(": {}{}", d.message, at.map_or_else(String::new, |at| format!(" ({at})")))
         });
-        return Err(format!("{} does not compile{why}; `check` says more", called(&path)));
+        return Err(format!("{} does not compile{why}; use `check` for details", called(&path)));
     };
     let how = ProveOptions {
         judging: judging.options,

@@ -163,7 +163,7 @@ pub fn solve(call: &Call<'_>, Solve { file, seed, lock }: Solve) -> Answered {
 /// Why a program cannot be laid out.
 fn input(name: &str, findings: &[Diagnostic]) -> String {
     let first = findings.iter().find(|d| d.is_error()).or(findings.first());
-    format!("{name} cannot be solved: {}; `check` says more", first.map_or("it has errors", |d| &d.message))
+    format!("{name} cannot be solved: {}; use `check` for details", first.map_or("it has errors", |d| &d.message))
 }
 
 #[derive(Deserialize)]

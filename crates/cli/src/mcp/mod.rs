@@ -48,7 +48,7 @@ pub fn run(args: &Mcp) -> u8 {
     runtime.shutdown_background();
     match served {
         Ok(_) => GOOD,
-        Err(message) => fail(&format!("the client did not start as the protocol requires: {message}")),
+        Err(message) => fail(&format!("the connection to the MCP client failed: {message}")),
     }
 }
 

@@ -58,7 +58,7 @@ impl Server {
         let place = Waiting::take(&inner)?;
         let permit = tokio::select! {
             permit = Arc::clone(&inner.workers).acquire_owned() => permit.map_err(|e| e.to_string())?,
-            () = context.ct.cancelled() => return Err("it was cancelled".to_owned()),
+            () = context.ct.cancelled() => return Err("the call was cancelled".to_owned()),
         };
         drop(place);
         let (stop, time) = (Stop::default(), inner.time);
@@ -73,7 +73,7 @@ impl Server {
             done = &mut job => return done.unwrap_or_else(broken),
             () = context.ct.cancelled() => {
                 stop.set();
-                return Err("it was cancelled".to_owned());
+                return Err("the call was cancelled".to_owned());
             }
             () = sleep(time) => { stop.set(); }
         }

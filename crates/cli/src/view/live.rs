@@ -129,7 +129,7 @@ impl Shown {
             let answer = state.consider(&room, asked)?;
             drop(state);
             // The thread of a drag that ends without an answer has made a mistake; the next move begins another.
-            return answer.recv().map_err(|_| Refused::Failed("it cannot be checked".to_owned()));
+            return answer.recv().map_err(|_| Refused::Failed("the move could not be checked".to_owned()));
         }
         state.drag = None;
         let verdict = check(&room.program, &moved, &room.options);

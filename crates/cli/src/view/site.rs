@@ -75,7 +75,7 @@ impl Site {
             Admission::Out => {
                 return text(StatusCode::FORBIDDEN, "access denied: open the address that `scenelang view` printed");
             }
-            _ if is_larger(&body, MOST) => return text(StatusCode::PAYLOAD_TOO_LARGE, "too large"),
+            _ if is_larger(&body, MOST) => return text(StatusCode::PAYLOAD_TOO_LARGE, "the request is too large"),
             Admission::Exchange => {
                 let mut response = text(StatusCode::SEE_OTHER, "");
                 set(&mut response, "location", "/");
@@ -108,12 +108,12 @@ impl Site {
     async fn go(&self, parts: &Parts, body: Incoming) -> Response<ResponseBody> {
         let token = parts.headers.get("x-scenelang-token");
         if token.is_none_or(|token| token != self.token.as_str()) {
-            return text(StatusCode::FORBIDDEN, "not for you");
+            return text(StatusCode::FORBIDDEN, "the token is missing or wrong");
         }
         let bytes = match timeout(PATIENCE, read(body, MOST)).await {
             Ok(Ok(bytes)) => bytes,
-            Ok(Err(Untaken::TooLarge)) => return text(StatusCode::PAYLOAD_TOO_LARGE, "too large"),
-            Ok(Err(Untaken::Broken)) => return text(StatusCode::BAD_REQUEST, "it broke off"),
+            Ok(Err(Untaken::TooLarge)) => return text(StatusCode::PAYLOAD_TOO_LARGE, "the request is too large"),
+            Ok(Err(Untaken::Broken)) => return text(StatusCode::BAD_REQUEST, "the request was cut off"),
             Err(_) => return text(StatusCode::REQUEST_TIMEOUT, "the request did not end in time"),
         };
         let asked: Move = match serde_json::from_slice(&bytes) {
@@ -127,7 +127,7 @@ impl Site {
             Ok(Err(Refused::Wrong(why))) => text(StatusCode::BAD_REQUEST, why),
             Ok(Err(Refused::Changed(why))) => text(StatusCode::CONFLICT, why),
             Ok(Err(Refused::Failed(why))) => text(StatusCode::INTERNAL_SERVER_ERROR, why),
-            Err(_) => text(StatusCode::INTERNAL_SERVER_ERROR, "it cannot be checked"),
+            Err(_) => text(StatusCode::INTERNAL_SERVER_ERROR, "the move could not be checked"),
         }
     }
 

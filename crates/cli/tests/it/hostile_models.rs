@@ -215,7 +215,7 @@ fn addresses_and_keys() -> Vec<Case> {
             name: "a command",
             workspace: "[llm]\ncommand = \"touch pwned\"\n",
             args: ON,
-            said: "there is no setting of llm `command`",
+            said: "there is no `[llm]` setting `command`",
             ..refused
         },
         Case {

@@ -143,7 +143,7 @@ impl Brief {
             if n > left.max(1) {
                 let kept = left.max(1);
                 let reason = format!(
-                    "{n} more are too many: at most {MOST_IN_ALL} things are placed, including {kept} of these"
+                    "{n} of these would exceed the limit of {MOST_IN_ALL} objects in all; the number is reduced to {kept}"
                 );
                 self.notes.push(Note { at: self.things[thing].source.at(), reason });
                 self.things[thing].number = Number::Exactly(kept);

@@ -247,7 +247,7 @@ impl<'n, 'b> It<'n, 'b> {
         }
         let faces = |f: &Fact| matches!(f.what, FactKind::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
         if let Some(turned) = named.turned(a).filter(|_| !named.brief.facts.iter().any(faces)) {
-            out.infer(turned, "rows stand straight");
+            out.infer(turned, "rows are straight");
         }
     }
 

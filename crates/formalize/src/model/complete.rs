@@ -20,7 +20,7 @@ pub(super) fn complete(
     let mut added = statements(asker, COMPLETE, sentences, part, room, draft, given)?;
     for statement in &mut added {
         if let ThingOrigin::Stated(_) = statement.source {
-            statement.source = ThingOrigin::Inferred("the world needs it".into());
+            statement.source = ThingOrigin::Inferred("needed for a complete room".into());
         }
     }
     Ok(added)

@@ -161,6 +161,18 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
 fn is_annex(of: &str, room: &str) -> bool {
     const STORES: [&str; 5] = ["storeroom", "store room", "stockroom", "stock room", "storage room"];
     let kind = |name: &str| get().room(name).map_or("", |kind| kind.name);
+    let furnished = crate::furnish::kinds::of(of).map_or("", |kind| kind.name);
+    match furnished {
+        "treatment room" | "veterinary clinic" | "dental surgery" | "spa" | "tattoo studio" | "hair salon" => {
+            return matches!(room, "waiting room" | "reception room") || STORES.contains(&room);
+        }
+        "recording studio" => return room == "control room",
+        "pharmacy" | "bank" | "museum" | "gallery" => return STORES.contains(&room),
+        "warehouse" | "factory hall" | "workshop" | "woodworking shop" | "repair garage" => {
+            return matches!(room, "office" | "break room" | "locker room") || STORES.contains(&room);
+        }
+        _ => {}
+    }
     match kind(of) {
         "bedroom" => kind(room) == "bathroom",
         "restaurant" | "cafe" | "bar room" => matches!(kind(room), "bathroom" | "kitchen") || STORES.contains(&room),

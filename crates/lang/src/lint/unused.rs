@@ -120,7 +120,9 @@ pub fn without_objects(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             && let Some(at) = linted.place.span(expr.range)
         {
             let d = Diagnostic::new(codes::W0303, at, format!("this {word} mentions no object and no region"));
-            out.push(d.note("it is the same in every layout: mention what it is about, or remove it"));
+            out.push(
+                d.note("its result is the same in every layout: mention the object that it is about, or remove it"),
+            );
         }
     }
 }

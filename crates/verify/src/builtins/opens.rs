@@ -158,7 +158,7 @@ impl Semantics for Opening {
         Ok(N::constant(least(call, Motion::Hinge)?.0))
     }
     fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
-        Some(format!("the free opening of `{}`", call.name(0, names)))
+        Some(format!("the angle by which `{}` can open", call.name(0, names)))
     }
     fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {
         ends(call, Motion::Hinge)
@@ -177,7 +177,7 @@ impl Semantics for Sliding {
         Ok(N::constant(least(call, Motion::Slide)?.0))
     }
     fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {
-        Some(format!("how far `{}` slides out", call.name(0, names)))
+        Some(format!("the distance by which `{}` can slide out", call.name(0, names)))
     }
     fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {
         ends(call, Motion::Slide)

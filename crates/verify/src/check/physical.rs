@@ -92,14 +92,16 @@ pub(super) fn judge(program: &Program, world: &World<f64>, verdict: &mut CheckVe
     let untried = judge_opening(program, world, &rules, verdict);
     if untried > 0 {
         let parts = if untried == 1 { "part" } else { "parts" };
-        let say = format!("there are too many obstacles: whether {untried} {parts} can open was not checked");
+        let say = format!("there are too many obstacles: it was not checked whether {untried} {parts} can open");
         verdict.diagnostics.push(too_dense(program, say));
     }
     if !near.complete {
         let say = format!("too many objects overlap: {} of {there} pairs were not checked", there - judged);
         verdict.diagnostics.push(too_dense(program, say));
     } else if unasked > 0 {
-        let say = format!("too many objects are above each other: the support of {unasked} of them was not checked");
+        let say = format!(
+            "too many objects are above one another: it was not checked whether {unasked} of them are supported"
+        );
         verdict.diagnostics.push(too_dense(program, say));
     }
 }

@@ -90,7 +90,7 @@ impl Reader {
                 _ => {
                     let own: &[&str] = if self.own { &OWN } else { &[] };
                     let known: Vec<&str> = KEYS.iter().chain(own).copied().collect();
-                    self.error(place_of(table, key), unknown("setting of assets", key, &known));
+                    self.error(place_of(table, key), unknown("`[assets]` setting", key, &known));
                 }
             }
         }
@@ -154,7 +154,7 @@ mod tests {
         assert_eq!(read(text), Ok(wanted));
         for (text, wanted) in [
             ("assets = 1", "`assets` takes a table, not a number"),
-            ("[assets]\nfolder = 1", "there is no setting of assets `folder`; did you mean `folders`?"),
+            ("[assets]\nfolder = 1", "there is no `[assets]` setting `folder`; did you mean `folders`?"),
             ("[assets]\nfolders = \"a\"", "`folders` takes a list of folders, of at most 64 strings"),
             ("[assets]\norder = [\"box\"]", "there is no provider `box`; valid names: local, generator, library"),
             ("[assets]\norder = [\"local\", \"local\"]", "`order` names \"local\" twice"),

@@ -104,7 +104,7 @@ impl Reader {
                 }
                 _ => {
                     let known: Vec<&str> = KEYS.into_iter().chain(["prices"]).collect();
-                    self.error(place_of(table, key), unknown("setting of llm", key, &known));
+                    self.error(place_of(table, key), unknown("`[llm]` setting", key, &known));
                 }
             }
         }
@@ -124,7 +124,7 @@ impl Reader {
     fn price(&mut self, table: &dyn TableLike, model: &str, whole: &Item) -> Option<[f64; 2]> {
         for (key, _) in table.iter() {
             if !["input", "output"].contains(&key) {
-                self.error(place_of(table, key), unknown("part of a price", key, &["input", "output"]));
+                self.error(place_of(table, key), unknown("price field", key, &["input", "output"]));
                 return None;
             }
         }
