@@ -18,6 +18,8 @@ const GROWTH: f64 = 1.07;
 const HALVED: usize = 4;
 const SHRUNK: usize = 3;
 const SHRINKING: f64 = 0.94;
+/// Other proportions of the room that are tried, as parts of its width and depth.
+const TURNED: [[f64; 2]; 4] = [[0.72, 1.22], [1.22, 0.72], [0.82, 1.1], [1.1, 0.82]];
 /// A room keeps this part of the floor that such rooms usually have.
 const LEAST: f64 = 0.6;
 /// Where more than this is said of how things stand, floor is left for it, and the room keeps this part of its size.
@@ -147,6 +149,14 @@ fn shrink(
         } else {
             low = next;
         }
+    }
+    // Rows of which the last is nearly empty fit better into a room that is narrower and deeper, or the other way round.
+    for [across, deep] in TURNED {
+        if now.idle <= most {
+            break;
+        }
+        let [w, _, d] = draft.rooms[at].size;
+        try_sides(&mut *draft, &mut now, [w * across, d * deep]);
     }
     let mut done = [false; 2];
     for step in 0..2 * SHRUNK {

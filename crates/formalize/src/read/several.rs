@@ -167,6 +167,7 @@ fn is_annex(of: &str, room: &str) -> bool {
             return matches!(room, "waiting room" | "reception room") || STORES.contains(&room);
         }
         "recording studio" => return room == "control room",
+        "patient room" | "care room" => return kind(room) == "bathroom",
         "pharmacy" | "bank" | "museum" | "gallery" => return STORES.contains(&room),
         "warehouse" | "factory hall" | "workshop" | "woodworking shop" | "repair garage" => {
             return matches!(room, "office" | "break room" | "locker room") || STORES.contains(&room);
