@@ -4,14 +4,23 @@ use crate::brief::{Brief, Fact, FactKind, Group, Look, Number, Rel, Thing, Thing
 use crate::furnish::{FENCED, kinds};
 use crate::read::lexicon::{get, plural, singular};
 
-/// "A table for twelve people; the chairs …": so many chairs.
+/// How many sit on a seat, and at the table that goes with it.
+fn sit_on(seat: &Thing) -> usize {
+    match seat.words.last().map_or("", String::as_str) {
+        "booth" => 4,
+        "sofa" | "couch" | "bench" => 3,
+        _ => 1,
+    }
+}
+
+/// "A table for twelve people; the chairs …": so many chairs. "Booths for twelve" are three.
 pub fn counted(brief: &mut Brief) {
     let Some(people) = brief.rooms.iter().find_map(|room| room.people) else { return };
     let mut seats = brief.things.iter_mut().filter(|i| i.group == Group::Seat && i.part.is_none());
     if let (Some(seat), None) = (seats.next(), seats.next())
         && seat.number == Number::Plural
     {
-        seat.number = Number::Exactly(people);
+        seat.number = Number::Exactly(people.div_ceil(sit_on(seat)));
     }
 }
 

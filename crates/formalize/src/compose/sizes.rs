@@ -143,6 +143,8 @@ fn places(item: &Thing, count: usize) -> f64 {
     match item.group {
         Group::Table if item.look.features.iter().any(|f| f == "round") => people * EACH / std::f64::consts::PI,
         Group::Table => (people / 2.0).ceil() * EACH,
+        // Half of them sit across the table.
+        Group::Seat if item.words.last().is_some_and(|w| w == "booth") => (people / 2.0).ceil() * EACH,
         _ => people * EACH,
     }
 }

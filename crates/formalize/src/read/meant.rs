@@ -332,7 +332,8 @@ pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let article = i > 0 && matches!(word(tokens, i - 1), "a" | "the");
     let goes_on = matches!(word(tokens, i + 1), "desk" | "area" | "room" | "counter" | "stand" | "hall" | "table");
-    const RECEIVE: [&str; 7] = ["lobby", "office", "practice", "clinic", "salon", "spa", "gym"];
+    const RECEIVE: [&str; 10] =
+        ["lobby", "office", "practice", "clinic", "salon", "spa", "gym", "surgery", "studio", "agency"];
     let receives = tokens[..i].iter().any(|t| RECEIVE.iter().any(|place| t.is(place)));
     if word(tokens, i) != "reception" || !article || goes_on || !receives {
         return false;
