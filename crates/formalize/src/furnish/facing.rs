@@ -136,9 +136,7 @@ pub fn desks(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
 /// What stands in mid-room is not wanted at a wall.
 fn off_walls(plan: &mut Plan, name: &str) {
     let wall = format!("againstWall(a, {})", plan.room_name());
-    plan.draft
-        .statements
-        .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&wall) || !mentions(&s.text, name));
+    plan.draft.statements.retain(|s| s.demand != Demand::Prefer || !s.text.contains(&wall) || !mentions(&s.text, name));
 }
 
 /// Gives the pair a place, its first one where `seek` finds one. Whether there is one.

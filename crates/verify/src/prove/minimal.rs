@@ -107,7 +107,8 @@ impl<'a> Prover<'a> {
         let mut given_up = Vec::new();
         for mut among in looks {
             among.retain(|s| !given_up.contains(s));
-            if self.is_too_large(among.iter().copied()) {
+            // Where nothing can be given up, it does not matter what contradicts.
+            if !among.iter().any(|s| rank(*s).is_some()) || self.is_too_large(among.iter().copied()) {
                 continue;
             }
             let model = self.model(self.whole(&among), false);

@@ -495,8 +495,11 @@ pub(super) fn crowds(common: &Common<'_>, usual: Option<&Usual>, statements: &[u
 /// Sizes that statements assign as constants.
 fn nominal_sizes(common: &Common<'_>, statements: &[usize]) -> FxHashMap<Owner, [f64; 3]> {
     let mut out = FxHashMap::default();
-    for pin in
-        common.program.pins.iter().filter(|p| p.property == Pinned::Scale && statements.binary_search(&p.constraint).is_ok())
+    for pin in common
+        .program
+        .pins
+        .iter()
+        .filter(|p| p.property == Pinned::Scale && statements.binary_search(&p.constraint).is_ok())
     {
         if let Some(Ok(Value::Vector(size))) = pin.values.first().map(|f| crate::eval::evaluate(f, &common.nowhere)) {
             out.insert(pin.owner, size.0);
