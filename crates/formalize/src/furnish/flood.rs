@@ -98,6 +98,7 @@ impl Cells {
         for k in 0..self.words {
             last = spread_in(k, last >> (WORD - 1));
         }
+        last = 0;
         for k in (0..self.words).rev() {
             last = spread_in(k, (last & 1) << (WORD - 1));
         }

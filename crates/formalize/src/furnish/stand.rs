@@ -195,7 +195,7 @@ pub fn on_floor(draft: &Draft, thing: &DraftThing) -> bool {
     }
     let carried = ["restsOn(", "on(", "wallMounted(", "ceilingMounted(", "allowFloat("];
     !draft.statements.iter().any(|s| {
-        carried.iter().any(|c| s.text.contains(c)) && mentions(&s.text, &thing.name) && {
+        mentions(&s.text, &thing.name) && carried.iter().any(|c| s.text.contains(c)) && {
             let code: String = s.text.split_whitespace().collect();
             let first = |name: &str| carried.iter().any(|c| code.contains(&format!("{c}{name}")));
             first(&thing.name) || first("a,") && code.contains(&format!("forallain{}:", thing.name))
@@ -252,8 +252,8 @@ pub fn loaded(draft: &Draft, thing: usize) -> bool {
     let name = &draft.things[thing].name;
     draft.statements.iter().any(|s| {
         matches!(s.source, ThingOrigin::Stated(_))
-            && ["restsOn(", "on(", "inside("].iter().any(|c| s.text.contains(c))
             && mentions(&s.text, name)
+            && ["restsOn(", "on(", "inside("].iter().any(|c| s.text.contains(c))
     })
 }
 
