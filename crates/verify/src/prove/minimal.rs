@@ -547,3 +547,32 @@ fn is_partial(formula: &Formula) -> bool {
         _ => false,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scenelang_lang::{Options, compile_text};
+    use std::fmt::Write;
+    use std::path::Path;
+
+    /// The most statements that are looked at together in a house of so many rooms, with a thing in each.
+    fn largest_part(rooms: usize) -> usize {
+        let mut text = String::new();
+        for i in 0..rooms {
+            let x = 5 * i;
+            write!(text, "region room{i}; room{i}.pos <- vec3({x}, 0, 0); room{i}.scale <- vec3(4, 2.6, 4);").unwrap();
+            write!(text, "object box{i}; box{i}.dimensions <- vec3(1, 1, 1); assert inside(box{i}, room{i});").unwrap();
+        }
+        let compiled = compile_text("house.scene", Path::new("house.scene"), &text, Options::default());
+        let program = compiled.program.unwrap();
+        let all: Vec<usize> = (0..program.constraints.len()).collect();
+        let options = ProveOptions::default();
+        parts(&Common::new(&program, &options.judging), &all).iter().map(Vec::len).max().unwrap()
+    }
+
+    #[test]
+    fn a_part_is_no_larger_where_there_are_more_rooms() {
+        assert!(largest_part(1) > 2);
+        assert_eq!(largest_part(2), largest_part(30));
+    }
+}
