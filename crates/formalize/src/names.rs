@@ -114,6 +114,12 @@ pub fn words(code: &str) -> Vec<&str> {
     names.map(|token| &code[token.range.bytes()]).collect()
 }
 
+/// Whether a name stands in a piece of a program. Most texts do not have its letters at all, and to cut them into tokens
+/// takes much longer than to see that.
+pub fn mentions(code: &str, name: &str) -> bool {
+    code.contains(name) && words(code).contains(&name)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,7 +2,7 @@
 
 use crate::draft::{Draft, Statement};
 use crate::prefer::{Stated, code};
-use crate::write::write;
+use crate::write::unformatted;
 use scenelang_base::Severity;
 use scenelang_lang::program::Program;
 use scenelang_lang::{Options, compile_text};
@@ -24,7 +24,7 @@ pub fn reconcile(draft: &mut Draft) {
 /// The same for what a quick look finds. Whether what is left compiles.
 pub fn reconcile_quickly(draft: &mut Draft) -> bool {
     for _ in 0..ROUNDS {
-        let text = turned(write(draft), draft);
+        let text = turned(bare(draft), draft);
         let compiled = compile_text("room.scene", Path::new("room.scene"), &text, Options::default());
         match &compiled.program {
             Some(program) if !compiled.has_errors() => {
@@ -51,7 +51,7 @@ fn confirm(draft: &mut Draft) {
     // What others imply is of no interest here, and to look for it takes longer than all the rest.
     let only = ProveOptions { redundant: false, ..ProveOptions::default() };
     for _ in 0..ROUNDS {
-        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &bare(draft), Options::default());
         let Some(program) = &compiled.program else { return };
         let weakest = |rank: &dyn Fn(usize) -> Option<usize>| {
             let found = prove::prove(program, &only).contradictions;
@@ -62,6 +62,14 @@ fn confirm(draft: &mut Draft) {
             return;
         }
     }
+}
+
+/// The program without the guidelines of the library: they only prefer, and there are very many of them for many things.
+fn bare(draft: &mut Draft) -> String {
+    let guided = std::mem::take(&mut draft.guided);
+    let text = unformatted(draft);
+    draft.guided = guided;
+    text
 }
 
 /// With the rooms along the axes, as they are drawn. The program leaves that open, and whatever contradicts itself with

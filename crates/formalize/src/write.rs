@@ -11,7 +11,7 @@ use crate::colors;
 use crate::draft::{
     Demand, Draft, DraftRoom, DraftThing, Look, Narrowed, Opening, OpeningKind, Statement, ThingOrigin,
 };
-use crate::names::words;
+use crate::names::{mentions, words};
 use crate::text::{folded, phrase, plain, quoted, wrapped};
 use scenelang_lang::fmt::{FormatOptions, format};
 use std::collections::BTreeMap;
@@ -31,9 +31,14 @@ const SILL: f64 = 0.9;
 
 /// The text of a program: compiled, it has the rooms, openings, things and statements of the draft.
 pub fn write(draft: &Draft) -> String {
+    format(&unformatted(draft), &FormatOptions::default())
+}
+
+/// The same before the formatter has been over it, for those who compile it and show it to nobody.
+pub(crate) fn unformatted(draft: &Draft) -> String {
     let mut writer = Writer { draft, out: String::new(), behind: behind(draft), unasked: Vec::new(), begun: false };
     writer.program();
-    format(&writer.out, &FormatOptions::default())
+    writer.out
 }
 
 /// Which statements stand behind which object: the last declared of those they name. `None`: they name none.
@@ -181,8 +186,8 @@ impl Writer<'_> {
         self.size(name, *size);
         self.look(name, look);
         let named = |what: &[&str]| {
-            let mut statements = self.draft.statements.iter().map(|s| words(&s.text));
-            statements.any(|words| words.contains(&name.as_str()) && what.iter().any(|w| words.contains(w)))
+            let mut about = self.draft.statements.iter().filter(|s| s.text.contains(name.as_str()));
+            about.any(|s| mentions(&s.text, name) && what.iter().any(|w| mentions(&s.text, w)))
         };
         let (connected, cleared, raised) = (named(&["connects"]), named(&["clear"]), named(&["pos", "bottom", "top"]));
         if !connected && !rooms.is_empty() {

@@ -1,7 +1,7 @@
 //! What the words of a request leave open about where small things are: a mouse beside a keyboard is on the keyboard's desk,
 //! a novel "on" a bookcase is in it, a wallet on the left of a desk lies on it. Read before sizes and statements are made.
 
-use crate::brief::{Brief, Fact, FactKind, Group, Rel};
+use crate::brief::{Brief, Fact, FactKind, Group, Op, Rel};
 use crate::read::lexicon::get;
 use crate::text::sentence;
 use scenelang_lang::library::usual_size;
@@ -58,7 +58,38 @@ fn hang(brief: &mut Brief) {
     }
 }
 
+/// "Near the door — sorry, not near it, far from it": what is taken back in the same breath is not said.
+fn take_back(brief: &mut Brief) {
+    const MENDS: [&str; 8] = ["sorry", "no", "actually", "rather", "correction", "oops", "wait", "mean"];
+    let undoes = |new: &Fact, old: &Fact| {
+        let is_near = matches!(old.what, FactKind::Rel(Rel::Near, _));
+        match (&new.what, &old.what) {
+            (FactKind::Rel(rel, to), FactKind::Rel(said, from)) if to == from => {
+                new.not && rel == said || is_near && *rel == Rel::Far
+            }
+            (FactKind::Gap(Op::Least, _, to), FactKind::Rel(_, from)) => is_near && to == from,
+            _ => false,
+        }
+    };
+    let is_mended = |new: &Fact, old: &Fact| {
+        let between = old.source.at().end..new.source.at().end;
+        let words = brief.request.get(between).filter(|words| !words.contains(". ")).unwrap_or_default();
+        words.split(|c: char| !c.is_alphanumeric()).any(|word| MENDS.contains(&word.to_lowercase().as_str()))
+    };
+    let facts = &brief.facts;
+    let gone: Vec<bool> = (0..facts.len())
+        .map(|k| {
+            let old = &facts[k];
+            let stands = !old.not && old.source.reason().is_none();
+            stands && facts[k + 1..].iter().any(|new| new.of == old.of && undoes(new, old) && is_mended(new, old))
+        })
+        .collect();
+    let mut gone = gone.into_iter();
+    brief.facts.retain(|_| !gone.next().unwrap_or(false));
+}
+
 pub fn settle(brief: &mut Brief) {
+    take_back(brief);
     for _ in 0..CHAIN {
         let small: Vec<usize> = (0..brief.things.len()).filter(|a| is_small(brief, *a)).collect();
         if small.is_empty() {

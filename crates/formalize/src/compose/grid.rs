@@ -14,6 +14,8 @@ pub struct Grid {
     pub takes: [f64; 2],
     /// Two rows whose backs touch: the second is turned round.
     pub backs: bool,
+    /// Two rows that look at each other: the first is turned round.
+    pub faces: bool,
 }
 
 /// How far from the walls a grid stays, in metres.
@@ -82,6 +84,11 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     let [mut beside, mut behind] = steps(brief, sizes, a);
     let backs = rows == 2
         && brief.facts.iter().any(|f| matches!(f.what, FactKind::Pattern(Pattern::BackToBack)) && f.of == [a]);
+    // Who works at desks that face each other sits between them and their backs.
+    let desks = brief.things[a].words.last().is_some_and(|w| w == "desk" || w == "workstation");
+    let faces = rows == 2
+        && !desks
+        && brief.facts.iter().any(|f| matches!(f.what, FactKind::Pattern(Pattern::FaceToFace)) && f.of == [a]);
     if backs {
         behind = 0.02;
     }
@@ -107,7 +114,7 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         }
     }
     let round = |v: f64| (v * 100.0).ceil() / 100.0;
-    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, backs })
+    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, backs, faces })
 }
 
 /// How far the elements of an array stand from each other at least, side by side and one behind the other (metres).

@@ -82,7 +82,9 @@ const FROM_DOOR: f64 = 3.0;
 
 impl Choice<'_> {
     fn is(&self, nouns: &[&str]) -> bool {
-        nouns.iter().any(|noun| self.noun == *noun || self.noun.ends_with(&format!(" {noun}")))
+        let ends =
+            |noun: &&str| self.noun.strip_suffix(noun).is_some_and(|rest| rest.is_empty() || rest.ends_with(' '));
+        nouns.iter().any(ends)
     }
 
     /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter.

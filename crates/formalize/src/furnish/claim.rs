@@ -10,7 +10,7 @@ use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
 use crate::brief::Group;
 use crate::draft::{Demand, Draft, Statement, ThingOrigin};
-use crate::names::words;
+use crate::names::{mentions, words};
 
 /// Groups of groups: so deep.
 const DEEP: usize = 2;
@@ -74,7 +74,7 @@ impl Plan<'_> {
         // What is said to look at it stands before it, and not in its corner.
         let faces = |s: &Statement| {
             matches!(s.source, ThingOrigin::Stated(_))
-                && words(&s.text).contains(&it.name.as_str())
+                && mentions(&s.text, &it.name)
                 && calls(&s.text).iter().any(|call| ["looksAt", "facing", "inFrontOf"].contains(call))
         };
         let in_corner = matches!(part.at, Where::Front(gap, ..) if gap < 0.0);
@@ -141,6 +141,11 @@ impl Plan<'_> {
 
     /// Whether a thing is asked for and has no place yet, and nothing is said of where it is but in relation to `anchor`.
     fn is_free(&self, at: usize, anchor: Option<&str>) -> bool {
+        self.is_unplaced(at) && !stand::placed_without(self.draft, &self.draft.things[at].name, anchor)
+    }
+
+    /// Whether a thing is asked for, has no place yet, and stands where something else might have it.
+    fn is_unplaced(&self, at: usize) -> bool {
         let it = &self.draft.things[at];
         it.room == Some(self.room)
             && (matches!(it.source, ThingOrigin::Stated(_)) || for_people(&it.source) || encloses(&it.source))
@@ -150,13 +155,12 @@ impl Plan<'_> {
                 || matches!(stand::group(&it.category), Group::Screen | Group::Flat)
                 || it.category.ends_with("mirror"))
             && !is_drawn_up(self.draft, &it.name)
-            && !stand::placed_without(self.draft, &it.name, anchor)
     }
 
     /// Whether what is said of a thing holds where such a part stands, as far as its words tell.
     fn agrees(&self, part: &GroupPart, name: &str) -> bool {
         let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
-        let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && words(&s.text).contains(&name);
+        let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
         self.draft.statements.iter().filter(about).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;
@@ -180,25 +184,30 @@ impl Plan<'_> {
         const WALLS: [&str; 3] = ["inCorner", "againstWall", "backToWall"];
         self.draft.statements.iter().any(|s| {
             matches!(s.source, ThingOrigin::Stated(_))
-                && words(&s.text).contains(&name)
+                && mentions(&s.text, name)
                 && calls(&s.text).iter().any(|call| WALLS.contains(call))
         })
     }
 
     /// Whether a thing that is asked for gets its place with another one that is.
     pub(super) fn waits_for_asked(&self, at: usize) -> bool {
-        (0..self.draft.things.len()).any(|other| self.goes_with(at, other))
+        self.is_unplaced(at) && (0..self.draft.things.len()).any(|other| self.joins(at, other))
     }
 
     /// Whether a thing that is asked for goes with another one, and nothing is said that keeps it from there.
     pub(super) fn goes_with(&self, at: usize, other: usize) -> bool {
+        self.is_unplaced(at) && self.joins(at, other)
+    }
+
+    /// The same of a thing that has no place yet.
+    fn joins(&self, at: usize, other: usize) -> bool {
         let anchor = &self.draft.things[other];
         at != other
             && self.ground.is_some()
             && anchor.room == Some(self.room)
             && (matches!(anchor.source, ThingOrigin::Stated(_)) || for_people(&anchor.source))
             && self.draft.things[at].count.is_multiple_of(anchor.count)
-            && self.is_free(at, Some(&anchor.name))
+            && !stand::placed_without(self.draft, &self.draft.things[at].name, Some(&anchor.name))
             && has_part(&self.group_name(&anchor.category), self.kind.dress, DEEP, &|part| {
                 takes(part, &self.draft.things[at].category) && self.agrees(part, &self.draft.things[at].name)
             })
@@ -213,7 +222,7 @@ impl Plan<'_> {
     pub(super) fn is_placed(&self, at: usize) -> bool {
         let name = &self.draft.things[at].name;
         let stated = self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
-        stated.filter(|s| words(&s.text).contains(&name.as_str())).any(|s| is_subject(&s.text, name))
+        stated.filter(|s| mentions(&s.text, name)).any(|s| is_subject(&s.text, name))
     }
 
     /// Whether a thing that is asked for gets its place with something of the inventory.

@@ -8,7 +8,7 @@ use super::slots::{Level, Slot};
 use super::{place, stand};
 use crate::brief::Group;
 use crate::draft::{Demand, ThingOrigin};
-use crate::names::words;
+use crate::names::mentions;
 
 /// Between the fronts of two seats that face each other, with a low table between them (metres).
 const ACROSS: f64 = 1.5;
@@ -47,7 +47,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
 pub fn is_couple(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
     let is_sofa = ["sofa", "couch", "loveseat", "settee"].iter().any(|sofa| it.category.ends_with(sofa));
-    let of_it = |s: &&crate::draft::Statement| words(&s.text).contains(&it.name.as_str());
+    let of_it = |s: &&crate::draft::Statement| mentions(&s.text, &it.name);
     let is_about = |text: &str| !text.contains("inside(") && !text.contains("onFloor(");
     let said = plan.draft.statements.iter().filter(of_it);
     let mut said = said.filter(|s| matches!(s.source, ThingOrigin::Stated(_)) && is_about(&s.text));
@@ -102,7 +102,10 @@ pub fn is_pair_of_desks(plan: &Plan, thing: usize) -> bool {
 /// Whether a thing is two of which a statement with these words speaks, and nothing else is said of where they are.
 fn is_two(plan: &Plan, thing: usize, relation: &str, more: &str) -> bool {
     let it = &plan.draft.things[thing];
-    let mut said = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&it.name.as_str()));
+    if it.count != 2 {
+        return false;
+    }
+    let mut said = plan.draft.statements.iter().filter(|s| mentions(&s.text, &it.name));
     let only = said.all(|s| {
         !matches!(s.source, ThingOrigin::Stated(_))
             || s.text.contains(relation)
@@ -110,7 +113,7 @@ fn is_two(plan: &Plan, thing: usize, relation: &str, more: &str) -> bool {
             || s.text.contains("onFloor(")
     });
     let related = plan.draft.statements.iter().any(|s| s.text.contains(relation) && s.text.contains(more));
-    it.count == 2 && related && only
+    related && only
 }
 
 /// Gives the two desks a place. Whether there is one.
@@ -133,9 +136,7 @@ pub fn desks(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
 /// What stands in mid-room is not wanted at a wall.
 fn off_walls(plan: &mut Plan, name: &str) {
     let wall = format!("againstWall(a, {})", plan.room_name());
-    plan.draft
-        .statements
-        .retain(|s| s.demand != Demand::Prefer || !s.text.contains(&wall) || !words(&s.text).contains(&name));
+    plan.draft.statements.retain(|s| s.demand != Demand::Prefer || !s.text.contains(&wall) || !mentions(&s.text, name));
 }
 
 /// Gives the pair a place, its first one where `seek` finds one. Whether there is one.

@@ -3,7 +3,7 @@
 //! All is in the room's own frame: x to the right, z to the back, the middle of the floor at the origin. Turns are multiples
 //! of 90 degrees. Nothing here is a statement: it says where a search may begin.
 
-use std::collections::VecDeque;
+use super::flood::Cells;
 
 /// Things may be this close without being in each other's way (metres).
 const TOUCH: f64 = 0.004;
@@ -324,9 +324,14 @@ impl Floor {
 
     /// Whether one still gets from the doors to everything when a group stands at a place.
     pub fn leaves_ways(&self, shape: &Shape, at: &Pose) -> bool {
+        self.unreached_with(shape, at) <= self.unreached()
+    }
+
+    /// How many things there is no way to when a group stands at a place.
+    pub fn unreached_with(&self, shape: &Shape, at: &Pose) -> usize {
         let mut other = self.clone();
         other.take(shape, at);
-        other.unreached() <= self.unreached()
+        other.unreached()
     }
 
     /// Whether one still gets from the doors to everything when such a group stands at each of these places.
@@ -374,7 +379,7 @@ impl Floor {
                 (i.0..(i.1 + 1).min(columns)).any(|column| {
                     let [x, z] = self.middle(column, row);
                     let point = Block { low: [x, 0.0, z], high: [x, 0.0, z] };
-                    reached[row * columns + column] && goal.gap(&point) <= far
+                    reached.has(column, row) && goal.gap(&point) <= far
                 })
             })
         };
@@ -397,17 +402,16 @@ impl Floor {
     }
 
     /// The cells that one can stand in, coming from a door.
-    fn reached(&self) -> Vec<bool> {
+    fn reached(&self) -> Cells {
         let [w, _, d] = self.size;
         let (columns, rows) = self.cells();
         let cell = self.cell();
-        let mut open = vec![true; columns * rows];
+        let mut open = Cells::all(columns, rows);
         let mut close = |low: [f64; 2], high: [f64; 2]| {
             let cells = |v: f64, half: f64, n: usize| (((v + half) / cell - 0.5).ceil().max(0.0) as usize).min(n);
             for j in cells(low[1], d / 2.0, rows)..cells(high[1], d / 2.0, rows) {
-                for i in cells(low[0], w / 2.0, columns)..cells(high[0], w / 2.0, columns) {
-                    open[j * columns + i] = false;
-                }
+                let (from, to) = (cells(low[0], w / 2.0, columns), cells(high[0], w / 2.0, columns));
+                open.take(j, from, to);
             }
         };
         let margin = HALF_WAY - if self.narrow { 0.05 } else { 0.02 };
@@ -425,28 +429,11 @@ impl Floor {
         close([w / 2.0 - margin, -d], [w, d]);
         close([-w, -d], [w, -d / 2.0 + margin]);
         close([-w, d / 2.0 - margin], [w, d]);
-        let mut seen = vec![false; open.len()];
-        let mut queue = VecDeque::new();
-        for [x, z] in &self.doors {
-            let at = |v: f64, half: f64, n: usize| (((v + half) / cell) as usize).min(n.saturating_sub(1));
+        let at = |v: f64, half: f64, n: usize| (((v + half) / cell) as usize).min(n.saturating_sub(1));
+        open.reached(self.doors.iter().flat_map(|[x, z]| {
             let (i, j) = (at(*x, w / 2.0, columns), at(*z, d / 2.0, rows));
-            for (i, j) in (i.saturating_sub(2)..(i + 3).min(columns))
-                .flat_map(|i| (j.saturating_sub(2)..(j + 3).min(rows)).map(move |j| (i, j)))
-            {
-                if open[j * columns + i] && !std::mem::replace(&mut seen[j * columns + i], true) {
-                    queue.push_back((i, j));
-                }
-            }
-        }
-        while let Some((i, j)) = queue.pop_front() {
-            let beside = [(i.wrapping_sub(1), j), (i + 1, j), (i, j.wrapping_sub(1)), (i, j + 1)];
-            for (i, j) in beside.into_iter().filter(|(i, j)| *i < columns && *j < rows) {
-                if open[j * columns + i] && !std::mem::replace(&mut seen[j * columns + i], true) {
-                    queue.push_back((i, j));
-                }
-            }
-        }
-        seen
+            (i.saturating_sub(2)..i + 3).flat_map(move |i| (j.saturating_sub(2)..j + 3).map(move |j| (i, j)))
+        }))
     }
 }
 

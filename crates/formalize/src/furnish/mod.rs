@@ -14,6 +14,7 @@ mod edge;
 mod even;
 mod extent;
 mod facing;
+mod flood;
 mod floor;
 mod gates;
 mod groups;

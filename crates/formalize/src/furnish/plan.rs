@@ -8,7 +8,7 @@ use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in
 use super::{place, stand, taste, tops};
 use crate::brief::Group;
 use crate::draft::{Draft, DraftThing, OpeningKind, Statement, ThingOrigin};
-use crate::names::{GivenNames, identifier, words};
+use crate::names::{GivenNames, identifier, mentions};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
 use crate::write::number;
@@ -291,7 +291,7 @@ impl<'a> Plan<'a> {
     fn is_under_window(&self, name: &str) -> bool {
         let windows = self.draft.openings.iter().filter(|opening| opening.kind == OpeningKind::Window);
         let above: Vec<String> = windows.map(|window| format!("above({}, ", window.name)).collect();
-        let says = |text: &str| above.iter().any(|above| text.contains(above)) && words(text).contains(&name);
+        let says = |text: &str| mentions(text, name) && above.iter().any(|above| text.contains(above));
         self.draft.statements.iter().any(|s| says(&s.text))
     }
 

@@ -2,6 +2,7 @@
 //! are tried in order until one leaves the ways free.
 
 use super::floor::{Floor, Pose, Shape};
+use std::cell::LazyCell;
 
 /// Behind the back of what stands at a wall (metres).
 pub const BEHIND: f64 = 0.003;
@@ -102,6 +103,7 @@ pub fn best(
     let mut found: Vec<(f64, Pose)> =
         places.filter(|at| floor.fits(shape, at)).filter_map(|at| Some((cost(&at)?, at))).collect();
     found.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    let unreached = LazyCell::new(|| floor.unreached());
     // Places beside each other bar the same ways: one of each neighbourhood is tried.
     let mut tried: Vec<Pose> = Vec::new();
     for (_, at) in &found {
@@ -109,7 +111,7 @@ pub fn best(
         if tried.iter().any(|other| (other.x - at.x).hypot(other.z - at.z) < near && other.yaw == at.yaw) {
             continue;
         }
-        if floor.leaves_ways(shape, at) {
+        if floor.unreached_with(shape, at) <= *unreached {
             return Some(*at);
         }
         tried.push(*at);

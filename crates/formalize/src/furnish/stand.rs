@@ -2,10 +2,11 @@
 //! takes, and which words may be counted as one thing.
 
 use crate::brief::Group;
-use crate::draft::{Draft, DraftThing, ThingOrigin};
-use crate::names::words;
+use crate::draft::{Draft, DraftThing, Statement, ThingOrigin};
+use crate::names::mentions;
 use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// The words of `data/kin.txt`.
@@ -13,6 +14,8 @@ use std::sync::OnceLock;
 struct Words {
     /// Words that name one kind of thing.
     kin: Vec<Vec<&'static str>>,
+    /// By word: which of `kin` it is among, in order.
+    among: HashMap<&'static str, Vec<usize>>,
     /// A thing, and what serves as well.
     instead: Vec<(&'static str, Vec<&'static str>)>,
 }
@@ -28,8 +31,21 @@ fn known() -> &'static Words {
                 None => words.kin.push(list(line)),
             }
         }
+        for (at, kin) in words.kin.iter().enumerate() {
+            kin.iter().for_each(|word| words.among.entry(word).or_default().push(at));
+        }
         words
     })
+}
+
+/// The lists of kin that a word is among.
+fn kin_of(word: &str) -> &'static [usize] {
+    known().among.get(word).map_or(&[], Vec::as_slice)
+}
+
+/// Whether two words are among the same kin.
+fn share_kin(a: &[usize], b: &[usize]) -> bool {
+    a.iter().any(|kin| b.contains(kin))
 }
 
 /// What of a thing is in the way on the floor: under a parasol one sits.
@@ -151,22 +167,22 @@ pub fn counts_as(noun: &str, asked: &str) -> bool {
     if noun.starts_with(AT_WINDOW) != asked.starts_with(AT_WINDOW) {
         return false;
     }
-    let last = |text: &str| text.rsplit(' ').next().unwrap_or(text).to_owned();
+    fn last(text: &str) -> &str {
+        text.rsplit(' ').next().unwrap_or(text)
+    }
+    let ends_with = |text: &str, end: &str| text.strip_suffix(end).is_some_and(|before| before.ends_with(' '));
     let (head, other) = (last(noun), last(asked));
     let one_word = !noun.contains(' ') || !asked.contains(' ');
     // A chair at a table is not taken for one that is asked for to read in.
     let easy = is_easy(asked) && !is_easy(noun);
-    noun == asked
-        || !easy
-            && head == other
-            && (one_word || noun.ends_with(&format!(" {asked}")) || asked.ends_with(&format!(" {noun}")))
-        || known().kin.iter().any(|kin| {
-            let among = |word: &str| kin.contains(&word);
-            among(noun) && among(asked)
-                || among(asked) && among(&head)
-                || among(noun) && among(&other) && !asked.contains(' ')
-                || !easy && among(&head) && among(&other) && one_word
-        })
+    if noun == asked || !easy && head == other && (one_word || ends_with(noun, asked) || ends_with(asked, noun)) {
+        return true;
+    }
+    let [of_noun, of_asked, of_head, of_other] = [noun, asked, head, other].map(kin_of);
+    share_kin(of_noun, of_asked)
+        || share_kin(of_asked, of_head)
+        || share_kin(of_noun, of_other) && !asked.contains(' ')
+        || !easy && share_kin(of_head, of_other) && one_word
 }
 
 /// What belongs at a window has a name that begins so.
@@ -174,16 +190,17 @@ pub const AT_WINDOW: &str = "window ";
 
 /// Whether a thing of a draft stands on the floor: by its group, unless it is said to be on something, or to hang.
 pub fn on_floor(draft: &Draft, thing: &DraftThing) -> bool {
-    let group = group(&thing.category);
+    if !matches!(group(&thing.category), Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor) {
+        return false;
+    }
     let carried = ["restsOn(", "on(", "wallMounted(", "ceilingMounted(", "allowFloat("];
-    let raised = draft.statements.iter().any(|s| {
-        carried.iter().any(|c| s.text.contains(c)) && words(&s.text).iter().any(|w| *w == thing.name) && {
+    !draft.statements.iter().any(|s| {
+        mentions(&s.text, &thing.name) && carried.iter().any(|c| s.text.contains(c)) && {
             let code: String = s.text.split_whitespace().collect();
             let first = |name: &str| carried.iter().any(|c| code.contains(&format!("{c}{name}")));
             first(&thing.name) || first("a,") && code.contains(&format!("forallain{}:", thing.name))
         }
-    });
-    matches!(group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor) && !raised
+    })
 }
 
 /// Whether a thing is round or oval, seen from above.
@@ -235,30 +252,30 @@ pub fn loaded(draft: &Draft, thing: usize) -> bool {
     let name = &draft.things[thing].name;
     draft.statements.iter().any(|s| {
         matches!(s.source, ThingOrigin::Stated(_))
+            && mentions(&s.text, name)
             && ["restsOn(", "on(", "inside("].iter().any(|c| s.text.contains(c))
-            && words(&s.text).iter().any(|w| w == name)
     })
 }
 
 /// Whether the request says where or how a thing stands.
 pub fn placed(draft: &Draft, name: &str) -> bool {
-    draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && words(&s.text).contains(&name))
+    draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name))
 }
 
 /// The same, but for what is said of it in relation to one other thing.
 pub fn placed_without(draft: &Draft, name: &str, other: Option<&str>) -> bool {
-    draft.statements.iter().any(|s| {
-        let named = words(&s.text);
-        let related = other.is_some_and(|other| named.contains(&other));
+    let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
+    draft.statements.iter().filter(about).any(|s| {
+        let related = other.is_some_and(|other| mentions(&s.text, other));
         // Two on both sides of a table face each other.
         let related = related || s.text.contains(&format!("facing({name}[2 * i], {name}["));
-        matches!(s.source, ThingOrigin::Stated(_)) && named.contains(&name) && !related && !s.text.contains("onFloor(")
+        !related && !s.text.contains("onFloor(")
     })
 }
 
 /// Whether two words name one kind of thing.
 pub fn are_kin(noun: &str, other: &str) -> bool {
-    known().kin.iter().any(|kin| kin.contains(&noun) && kin.contains(&other))
+    share_kin(kin_of(noun), kin_of(other))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use super::slots::{Level, Slot, Taken};
 use super::{place, stand};
 use crate::brief::Group;
 use crate::draft::{DraftThing, ThingOrigin};
-use crate::names::words;
+use crate::names::{mentions, words};
 use scenelang_lang::nouns::{self, Stands};
 use std::sync::OnceLock;
 
@@ -128,7 +128,7 @@ fn is_small(thing: &DraftThing) -> bool {
 /// Whether nothing is said of a thing but the room that it is in. What was inferred for the lack of anything better does
 /// not count.
 fn is_loose(plan: &Plan, thing: &DraftThing) -> bool {
-    let about = plan.draft.statements.iter().filter(|s| words(&s.text).contains(&thing.name.as_str()));
+    let about = plan.draft.statements.iter().filter(|s| mentions(&s.text, &thing.name));
     about.into_iter().all(|s| {
         let inferred = !matches!(s.source, ThingOrigin::Stated(_));
         is_in_room(&s.text) || inferred && (s.text.contains("onFloor(") || s.text.contains("againstWall("))

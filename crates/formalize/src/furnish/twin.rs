@@ -9,7 +9,7 @@ use super::stand::{self, counts_as};
 use super::{place, seek};
 use crate::brief::Group;
 use crate::draft::{Demand, ThingOrigin};
-use crate::names::words;
+use crate::names::mentions;
 
 /// Between two beds at least, and beside what stands there.
 const BETWEEN: f64 = 0.6;
@@ -29,7 +29,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
     let noun = it.category.replace('_', " ");
     let said = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
-    let mut about = said.filter(|s| words(&s.text).contains(&it.name.as_str()));
+    let mut about = said.filter(|s| mentions(&s.text, &it.name));
     let only = about
         .all(|s| among(plan, &s.text, &it.name).is_some() || s.text.contains("inside(") || s.text.contains("onFloor("));
     let asked = |t: &crate::draft::DraftThing| {
@@ -101,7 +101,7 @@ fn share(plan: &mut Plan, asked: Option<usize>, pair: &str, middle: &Slot) {
     plan.say(format!("assert {};", place::fixed(&name, &first, middle, 0.0, 0.0)), WHY);
     plan.claimed.push(at);
     // Between beds is beside both: their middles are not at the head.
-    let among = |text: &str| text.contains("between(") && words(text).contains(&name.as_str());
+    let among = |text: &str| text.contains("between(") && mentions(text, &name);
     let wall = format!("againstWall({name}, ");
     for statement in &mut plan.draft.statements {
         if matches!(statement.source, ThingOrigin::Stated(_)) && among(&statement.text) {

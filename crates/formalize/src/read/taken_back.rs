@@ -114,10 +114,11 @@ fn instead(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "Fire extinguishers, six altogether": six in number.
+/// "Fire extinguishers, six altogether", "shelves, three pieces": six, three in number.
 fn altogether(tokens: &mut Vec<Token>, i: usize) -> bool {
     let words = match (word(tokens, i), word(tokens, i + 1)) {
         ("altogether", _) => 1,
+        ("pieces" | "units" | "pcs", _) if ends(tokens, i + 1) => 1,
         ("in", "all" | "total") if ends(tokens, i + 2) => 2,
         _ => return false,
     };
@@ -205,6 +206,8 @@ mod tests {
             ("instead of a sofa there is a bench", "no sofa ; there is a bench"),
             ("a bench instead of a sofa", "a bench instead of a sofa"),
             ("lamps, six altogether, hang", "lamps , six in number , hang"),
+            ("shelves along the wall, three pieces.", "shelves along the wall , three in number ."),
+            ("a chess board, three pieces on it", "a chess board , three pieces on it"),
             ("six chairs, i mean four, stand", "four chairs stand"),
             (
                 "a vase on the first shelf and a clock on the second.",

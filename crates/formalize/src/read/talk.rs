@@ -135,6 +135,9 @@ fn topic(said: &[Token], answer: &[Token]) -> Option<(Vec<Token>, usize)> {
     let from = said[..end].iter().rposition(ends).map_or(0, |k| k + 1);
     let lead = said[from..end].iter().take_while(|t| matches!(t.text.as_str(), "and" | "so" | "then")).count();
     let question = &said[from + lead..end];
+    if let Some(counted) = counted(question, answer) {
+        return Some((counted, OF_THEM));
+    }
     let [first, verb, rest @ ..] = question else { return None };
     let lexicon = super::lexicon::get();
     if rest.is_empty() {
@@ -163,6 +166,21 @@ fn topic(said: &[Token], answer: &[Token]) -> Option<(Vec<Token>, usize)> {
         }
         _ => None,
     }
+}
+
+/// "Three of them", in words.
+const OF_THEM: usize = 3;
+
+/// "And bookshelves? Three of them …": three bookshelves.
+fn counted(question: &[Token], answer: &[Token]) -> Option<Vec<Token>> {
+    const MOST: usize = 3;
+    let [n, of, them, ..] = answer else { return None };
+    let is_so = of.is("of") && matches!(them.text.as_str(), "them" | "those" | "these");
+    let named = question.len() <= MOST && question.iter().all(Token::word);
+    let noun = question.last().filter(|_| is_so && named)?;
+    let known = super::lexicon::get().noun(&super::lexicon::singular(&noun.text)).is_some();
+    super::number::count(std::slice::from_ref(n)).filter(|_| known)?;
+    Some([n].into_iter().chain(question).cloned().collect())
 }
 
 /// Takes the names of who speaks out of a conversation, and what is said by those who answer; notes on the latter.
@@ -245,6 +263,7 @@ mod tests {
             ("Ann: a bed.\nBob: Where is the lamp?\nAnn: It hangs.\nBob: Bye.", "a bed . the lamp hangs .", 2),
             ("Jo: a bed.\nAl: What goes beside it?\nJo: A rug.\nAl: ok", "a bed . beside it is a rug .", 2),
             ("Jo: a hall, a bar.\nAl: And the kitchen?\nJo: A hob.\nAl: ok", "a hall , a bar . kitchen : a hob .", 2),
+            ("Jo: a bed.\nAl: And lamps?\nJo: Two of them, on a desk.\nAl: ok", "a bed . two lamps , on a desk .", 2),
             ("Rep: Hi.\nClient: a bed.\nRep: Mirrors?\nClient: No.", "a bed . no .", 2),
             ("Bed: oak\nDesk: pine\nBed: big", "bed : oak desk : pine bed : big", 0),
         ] {

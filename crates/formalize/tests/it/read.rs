@@ -46,6 +46,21 @@ fn phrases_become_statements() {
     assert!(seen > 30);
 }
 
+/// What is taken back in the same breath is not said, nor is what was said before it a mere wish.
+#[test]
+fn what_is_mended_is_not_said() {
+    for (request, gone, said) in [
+        ("The counter is near the door — sorry, not near it, far from it: at least 4 m.", "near(", "assert far("),
+        ("A plant stands near the door, no, far from it.", "near(", "assert far("),
+        ("A plant stands near the door and far from the window.", "far(plant, door", "assert near("),
+    ] {
+        let (_, statements) = literal(request);
+        assert!(statements.iter().any(|s| s.contains(said)), "{request}: {statements:?}");
+        let is_left = |s: &String| s.contains(gone) || s.starts_with("prefer");
+        assert!(!statements.iter().any(is_left), "{request}: {statements:?}");
+    }
+}
+
 /// Counts and sizes that are not taken as they are, and what is said of each.
 #[test]
 fn what_is_not_taken_as_it_is_said() {

@@ -1,6 +1,6 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, ClaimModel, Given, GivenSource, Rules, crowds, regions_of};
+use super::model::{Choice, ClaimModel, Common, Given, GivenSource, Rules, crowds, insides, regions_of};
 use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
@@ -44,6 +44,7 @@ struct Core {
 pub(super) struct Prover<'a> {
     program: &'a Program,
     options: &'a ProveOptions,
+    common: Common<'a>,
     /// What is taken for granted, if anything is.
     usual: Option<&'a Usual>,
     spent: u64,
@@ -55,7 +56,8 @@ pub(super) struct Prover<'a> {
 
 impl<'a> Prover<'a> {
     pub fn new(program: &'a Program, options: &'a ProveOptions, usual: Option<&'a Usual>) -> Self {
-        Self { program, options, usual, spent: 0, short: false, too_large: false }
+        let common = Common::new(program, &options.judging);
+        Self { program, options, common, usual, spent: 0, short: false, too_large: false }
     }
 
     /// Everything.
@@ -66,11 +68,11 @@ impl<'a> Prover<'a> {
         let mut open: Vec<usize> =
             (0..self.program.constraints.len()).filter(|i| self.is_hard(*i) && !known(i)).collect();
         // Crowded regions by themselves, then everything, again and again without what was found.
-        let mut looks = crowds(self.program, &self.options.judging, self.usual, &open);
+        let mut looks = crowds(&self.common, self.usual, &open);
         looks.reverse();
         if self.is_too_large(open.iter().copied()) {
             // What has nothing to do with the rest can be looked at by itself.
-            looks.splice(0..0, parts(self.program, &open).into_iter().rev());
+            looks.splice(0..0, parts(&self.common, &open).into_iter().rev());
         }
         while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
             let (among, part, last) = match looks.pop() {
@@ -100,15 +102,16 @@ impl<'a> Prover<'a> {
     /// See [`super::relax`].
     pub fn relaxed(mut self, rank: &dyn Fn(usize) -> Option<usize>) -> Vec<usize> {
         let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
-        let mut looks = crowds(self.program, &self.options.judging, self.usual, &hard);
-        looks.extend(parts(self.program, &hard));
+        let mut looks = crowds(&self.common, self.usual, &hard);
+        looks.extend(parts(&self.common, &hard));
         let mut given_up = Vec::new();
         for mut among in looks {
             among.retain(|s| !given_up.contains(s));
-            if self.is_too_large(among.iter().copied()) {
+            // Where nothing can be given up, it does not matter what contradicts.
+            if !among.iter().any(|s| rank(*s).is_some()) || self.is_too_large(among.iter().copied()) {
                 continue;
             }
-            let model = self.model(self.whole(&among));
+            let model = self.model(self.whole(&among), false);
             let mut problem = model.problem();
             // What is no longer asked of the model.
             let mut without = Vec::new();
@@ -136,7 +139,7 @@ impl<'a> Prover<'a> {
     /// no more; or the set, if there is no such statement.
     fn weakest(&mut self, mut core: Vec<usize>, rank: &dyn Fn(usize) -> Option<usize>) -> Result<usize, Vec<usize>> {
         loop {
-            let model = self.model(self.whole(&core));
+            let model = self.model(self.whole(&core), false);
             match self.brief(&model, &mut model.problem(), &[]) {
                 Some(next) if next.len() < core.len() => core = next,
                 _ => break,
@@ -144,7 +147,7 @@ impl<'a> Prover<'a> {
         }
         while let Some(weakest) = core.iter().copied().filter(|s| rank(*s).is_some()).max_by_key(|s| (rank(*s), *s)) {
             let rest: Vec<usize> = core.iter().copied().filter(|s| *s != weakest).collect();
-            let model = self.model(self.whole(&rest));
+            let model = self.model(self.whole(&rest), false);
             match self.brief(&model, &mut model.problem(), &[]) {
                 Some(smaller) => core = smaller,
                 None => return Ok(weakest),
@@ -181,7 +184,7 @@ impl<'a> Prover<'a> {
             (self.short, self.too_large) = (true, true);
             return None;
         }
-        let model = self.model(choice);
+        let model = self.model(choice, tell);
         self.search(&model, &mut model.problem(), &[], most, tell)
     }
 
@@ -200,12 +203,12 @@ impl<'a> Prover<'a> {
         })
     }
 
-    fn model(&mut self, choice: Choice<'_>) -> ClaimModel {
+    fn model(&mut self, choice: Choice<'_>, named: bool) -> ClaimModel {
         if self.program.objects.len() > LARGEST {
             // Before a part is looked at, all objects are.
             self.spent += self.program.objects.len() as u64;
         }
-        let model = ClaimModel::new(self.program, &self.options.judging, choice);
+        let model = ClaimModel::new(&self.common, choice, named);
         // Making the model is work, too.
         self.spent += size(&model);
         model
@@ -361,8 +364,10 @@ fn size(model: &ClaimModel) -> u64 {
 }
 
 /// Statements in parts that have nothing to do with each other: they share no object, no variable, and no region but
-/// such as stand fast, by assigned places and sizes. What is said of those alone goes with every part.
-fn parts(program: &Program, among: &[usize]) -> Vec<Vec<usize>> {
+/// such as stand fast, by assigned places and sizes. What is said of those alone goes with every part that speaks of them,
+/// or of something that may be in any region; the rest of it is a part of its own.
+fn parts(common: &Common<'_>, among: &[usize]) -> Vec<Vec<usize>> {
+    let program = common.program;
     let pinned = |region: RegionId, property: Pinned| {
         program.pins.iter().any(|p| {
             p.owner == Owner::Region(region) && p.property == property && among.binary_search(&p.constraint).is_ok()
@@ -401,11 +406,49 @@ fn parts(program: &Program, among: &[usize]) -> Vec<Vec<usize>> {
     if parts.is_empty() {
         return vec![ground];
     }
+    let ground: Vec<(usize, Vec<RegionId>)> =
+        ground.into_iter().map(|s| (s, regions_of(&program.constraints[s].formula))).collect();
+    let mut apart = vec![true; ground.len()];
     for part in &mut parts {
-        part.extend(&ground);
+        let goes_with = ground_of(common, part, &ground);
+        for ((ground, goes_with), apart) in ground.iter().zip(goes_with).zip(&mut apart) {
+            if goes_with {
+                part.push(ground.0);
+                *apart = false;
+            }
+        }
         part.sort_unstable();
     }
+    let rest: Vec<usize> = ground.iter().zip(apart).filter(|(_, apart)| *apart).map(|(ground, _)| ground.0).collect();
+    parts.extend((!rest.is_empty()).then_some(rest));
     parts
+}
+
+/// Which of the statements that speak of regions only goes with a part: those of the regions that it speaks of, and of
+/// regions that these are compared with.
+fn ground_of(common: &Common<'_>, part: &[usize], ground: &[(usize, Vec<RegionId>)]) -> Vec<bool> {
+    let formulas = || part.iter().map(|s| &common.program.constraints[*s].formula);
+    let looks = |n: &Node| matches!(n, Node::BuiltIn(BuiltIn::Clear | BuiltIn::Reachable, _));
+    let inside: FxHashSet<_> = formulas().flat_map(insides).map(|(_, object)| object).collect();
+    // P-BOUNDS speaks of all regions where nothing says in which one something is.
+    let is_anywhere = |object| common.options.physics && common.scope.bounds(object) && !inside.contains(&object);
+    let everywhere = formulas().any(|f| f.nodes.iter().any(looks) || f.objects().into_iter().any(is_anywhere));
+    if everywhere {
+        return vec![true; ground.len()];
+    }
+    let mut regions: FxHashSet<RegionId> = formulas().flat_map(regions_of).collect();
+    loop {
+        let before = regions.len();
+        for (_, own) in ground {
+            if own.iter().any(|r| regions.contains(r)) {
+                regions.extend(own);
+            }
+        }
+        if regions.len() == before {
+            break;
+        }
+    }
+    ground.iter().map(|(_, own)| own.is_empty() || own.iter().any(|r| regions.contains(r))).collect()
 }
 
 /// Which statements speak of the same things.
@@ -503,4 +546,33 @@ fn is_partial(formula: &Formula) -> bool {
         Node::Call(function, _) => matches!(function, Function::Sqrt | Function::Normalize | Function::Angle),
         _ => false,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scenelang_lang::{Options, compile_text};
+    use std::fmt::Write;
+    use std::path::Path;
+
+    /// The most statements that are looked at together in a house of so many rooms, with a thing in each.
+    fn largest_part(rooms: usize) -> usize {
+        let mut text = String::new();
+        for i in 0..rooms {
+            let x = 5 * i;
+            write!(text, "region room{i}; room{i}.pos <- vec3({x}, 0, 0); room{i}.scale <- vec3(4, 2.6, 4);").unwrap();
+            write!(text, "object box{i}; box{i}.dimensions <- vec3(1, 1, 1); assert inside(box{i}, room{i});").unwrap();
+        }
+        let compiled = compile_text("house.scene", Path::new("house.scene"), &text, Options::default());
+        let program = compiled.program.unwrap();
+        let all: Vec<usize> = (0..program.constraints.len()).collect();
+        let options = ProveOptions::default();
+        parts(&Common::new(&program, &options.judging), &all).iter().map(Vec::len).max().unwrap()
+    }
+
+    #[test]
+    fn a_part_is_no_larger_where_there_are_more_rooms() {
+        assert!(largest_part(1) > 2);
+        assert_eq!(largest_part(2), largest_part(30));
+    }
 }

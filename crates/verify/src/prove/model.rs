@@ -55,7 +55,7 @@ pub(super) struct ClaimModel {
     pub angles: Vec<([usize; 2], Term)>,
     /// Ways between the middles of objects over their surfaces.
     pub spans: Vec<([ObjectId; 2], Term)>,
-    /// Names of unknowns.
+    /// Names of unknowns, where they are wanted.
     pub names: FxHashMap<Term, String>,
 }
 
@@ -81,6 +81,29 @@ pub(super) struct Choice<'a> {
     pub usual: Option<&'a Usual>,
 }
 
+/// What all models of one program share, whichever of its statements count: it takes a look at every object.
+pub(super) struct Common<'a> {
+    pub program: &'a Program,
+    pub options: &'a Options,
+    /// Which rules apply to what, whatever the assets are made of.
+    pub scope: Scope,
+    /// Instances that lack everything, of unknowns and of floats.
+    blank: Rc<World<Term>>,
+    nowhere: World<f64>,
+}
+
+impl<'a> Common<'a> {
+    pub fn new(program: &'a Program, options: &'a Options) -> Self {
+        Self {
+            program,
+            options,
+            scope: Scope::new(&World::<f64>::nowhere(program, options)),
+            blank: Rc::new(World::nowhere(program, options)),
+            nowhere: World::nowhere(program, &Options::default()),
+        }
+    }
+}
+
 /// Boxes in one region between which every order is looked at, at most.
 const CLOSE_COMPANY: usize = 8;
 /// Of more objects than this in a region, those are left out that may overlap others.
@@ -89,19 +112,21 @@ const CROWD: usize = 400;
 const SKEW: f64 = 0.0018;
 
 impl ClaimModel {
-    pub fn new(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
+    /// With the names of its unknowns if it is to be told about.
+    pub fn new(common: &Common<'_>, choice: Choice<'_>, named: bool) -> Self {
         let mut tape = Tape::new();
-        let model = tape.record(|| Self::noted(program, options, choice));
+        let model = tape.record(|| Self::noted(common, choice, named));
         Self { tape, ..model }
     }
 
     /// The same, without the tape that is written meanwhile.
-    fn noted(program: &Program, options: &Options, choice: Choice<'_>) -> Self {
+    fn noted(common: &Common<'_>, choice: Choice<'_>, named: bool) -> Self {
+        let Common { program, options, scope, .. } = common;
         let counts = |statement: usize| choice.statements.binary_search(&statement).is_ok();
         let formulas = choice.statements.iter().chain(&choice.contrary).map(|s| &program.constraints[*s].formula);
         let objects: BTreeSet<ObjectId> = formulas.flat_map(Formula::objects).collect();
-        let mut unknowns = Unknowns::new(program, options, choice.usual, &counts, &objects);
-        let mut builder = Builder { program, options, given: Vec::new(), objects };
+        let mut unknowns = Unknowns::new(program, &common.blank, choice.usual, &counts, &objects);
+        let mut builder = Builder { program, options, scope, given: Vec::new(), objects };
         for &statement in choice.statements {
             builder.statement(&mut unknowns, statement, false);
         }
@@ -119,11 +144,11 @@ impl ClaimModel {
                 builder.grounded(&mut unknowns, usual);
                 builder.middles(&mut unknowns);
             }
-            groups = builder.groups(&mut unknowns, choice.statements);
+            groups = builder.groups(&mut unknowns, companies(common, choice.usual, choice.statements));
         }
         let angles = unknowns.directions(&builder.objects);
         builder.frames(&mut unknowns, &groups);
-        let names = unknowns.names();
+        let names = if named { unknowns.names() } else { FxHashMap::default() };
         let (always, curved, spans) = (unknowns.always, unknowns.curved, unknowns.spans);
         Self { tape: Tape::default(), always, curved, given: builder.given, groups, angles, spans, names }
     }
@@ -154,6 +179,7 @@ fn wanted(groups: &[PackingRegion<Term>]) -> Vec<Term> {
 struct Builder<'a> {
     program: &'a Program,
     options: &'a Options,
+    scope: &'a Scope,
     given: Vec<Given>,
     /// The objects that are spoken of.
     objects: BTreeSet<ObjectId>,
@@ -204,7 +230,7 @@ impl Builder<'_> {
         if regions.is_empty() {
             return;
         }
-        let scope = scope(self.program, self.options);
+        let scope = self.scope;
         // What is said to be in a region is in one.
         let said: BTreeSet<ObjectId> =
             statements.iter().flat_map(|s| insides(&self.program.constraints[*s].formula)).map(|(_, o)| o).collect();
@@ -224,7 +250,7 @@ impl Builder<'_> {
     /// P-COLLIDE of pairs whose gap is spoken of. The rule is that they do not collide: the rounding that its verdict
     /// allows beyond that is no room to build in.
     fn collisions(&mut self, unknowns: &mut Unknowns<'_>) {
-        let scope = scope(self.program, self.options);
+        let scope = self.scope;
         let objects: Vec<ObjectId> = self.objects.iter().copied().collect();
         for (i, &a) in objects.iter().enumerate() {
             for &b in &objects[i + 1..] {
@@ -256,7 +282,7 @@ impl Builder<'_> {
     /// Where things are taken as usual: no thing's middle is in the solid of another of which a claim says that it is over
     /// or under it.
     fn middles(&mut self, unknowns: &mut Unknowns<'_>) {
-        let scope = scope(self.program, self.options);
+        let scope = self.scope;
         let contact = Term::constant(self.options.tolerances.contact + 2.0 * self.options.tolerances.order);
         let objects: Vec<ObjectId> = self.objects.iter().copied().collect();
         if objects.len() > CROWD {
@@ -291,7 +317,7 @@ impl Builder<'_> {
 
     /// Where things are taken as usual: each stands on a floor, or on something that the program compares its base with.
     fn grounded(&mut self, unknowns: &mut Unknowns<'_>, usual: &Usual) {
-        let scope = scope(self.program, self.options);
+        let scope = self.scope;
         let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
         let off = self.options.tolerances.support + OUT_OF_BOX;
         for &id in &self.objects.clone() {
@@ -324,12 +350,12 @@ impl Builder<'_> {
     }
 
     /// Boxes of known size that are said to be in one region, for each rectangular region of known size.
-    fn groups(&mut self, unknowns: &mut Unknowns<'_>, statements: &[usize]) -> Vec<PackingRegion<Term>> {
-        let scope = scope(self.program, self.options);
+    fn groups(&mut self, unknowns: &mut Unknowns<'_>, companies: Vec<Company>) -> Vec<PackingRegion<Term>> {
+        let scope = self.scope;
         let mut groups = Vec::new();
         let mut apart = None;
         let mut spoken = Vec::new();
-        for Company { region, objects, full } in companies(self.program, self.options, unknowns.usual, statements) {
+        for Company { region, objects, full } in companies {
             let apart = *apart.get_or_insert_with(open);
             if full && objects.len() <= CLOSE_COMPANY {
                 let whole: Vec<ObjectId> =
@@ -405,11 +431,6 @@ fn rests(unknowns: &Unknowns<'_>, objects: &[ObjectId], regions: &[RegionId]) ->
     of_objects.chain(regions.iter().filter_map(|r| unknowns.framed.get(r))).flatten().copied().collect()
 }
 
-/// Which rules apply to what, whatever the assets are made of.
-fn scope(program: &Program, options: &Options) -> Scope {
-    Scope::new(&World::<f64>::nowhere(program, options))
-}
-
 /// Whether the solid of an object is its box for sure: it is asked to be, or nothing says what kind of thing it is.
 fn is_box(program: &Program, options: &Options, object: ObjectId) -> bool {
     let object = &program.objects[object.0 as usize];
@@ -425,14 +446,14 @@ struct Company {
 }
 
 /// The companies that statements make.
-fn companies(program: &Program, options: &Options, usual: Option<&Usual>, statements: &[usize]) -> Vec<Company> {
-    let mut sizes = nominal_sizes(program, statements);
+fn companies(common: &Common<'_>, usual: Option<&Usual>, statements: &[usize]) -> Vec<Company> {
+    let Common { program, options, scope, .. } = common;
+    let mut sizes = nominal_sizes(common, statements);
     let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
     for &index in statements {
         said.extend(insides(&program.constraints[index].formula));
     }
     if program.regions.len() == 1 && options.physics {
-        let scope = scope(program, options);
         let all = statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
         said.extend(all.filter(|o| scope.bounds(*o)).map(|o| (RegionId(0), o)));
     }
@@ -459,16 +480,11 @@ fn companies(program: &Program, options: &Options, usual: Option<&Usual>, statem
 }
 
 /// The statements about each company that takes up much of its region: worth a look of their own.
-pub(super) fn crowds(
-    program: &Program,
-    options: &Options,
-    usual: Option<&Usual>,
-    statements: &[usize],
-) -> Vec<Vec<usize>> {
-    let full = companies(program, options, usual, statements).into_iter().filter(|c| c.full);
+pub(super) fn crowds(common: &Common<'_>, usual: Option<&Usual>, statements: &[usize]) -> Vec<Vec<usize>> {
+    let full = companies(common, usual, statements).into_iter().filter(|c| c.full);
     full.map(|company| {
         let about = |s: &usize| {
-            let objects = program.constraints[*s].formula.objects();
+            let objects = common.program.constraints[*s].formula.objects();
             objects.iter().all(|o| company.objects.binary_search(o).is_ok())
         };
         statements.iter().copied().filter(about).collect()
@@ -477,13 +493,15 @@ pub(super) fn crowds(
 }
 
 /// Sizes that statements assign as constants.
-fn nominal_sizes(program: &Program, statements: &[usize]) -> FxHashMap<Owner, [f64; 3]> {
+fn nominal_sizes(common: &Common<'_>, statements: &[usize]) -> FxHashMap<Owner, [f64; 3]> {
     let mut out = FxHashMap::default();
-    let nowhere = World::<f64>::nowhere(program, &Options::default());
-    for pin in
-        program.pins.iter().filter(|p| p.property == Pinned::Scale && statements.binary_search(&p.constraint).is_ok())
+    for pin in common
+        .program
+        .pins
+        .iter()
+        .filter(|p| p.property == Pinned::Scale && statements.binary_search(&p.constraint).is_ok())
     {
-        if let Some(Ok(Value::Vector(size))) = pin.values.first().map(|f| crate::eval::evaluate(f, &nowhere)) {
+        if let Some(Ok(Value::Vector(size))) = pin.values.first().map(|f| crate::eval::evaluate(f, &common.nowhere)) {
             out.insert(pin.owner, size.0);
         }
     }
@@ -491,7 +509,7 @@ fn nominal_sizes(program: &Program, statements: &[usize]) -> FxHashMap<Owner, [f
 }
 
 /// What a formula says at its top level to be inside a region.
-fn insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
+pub(super) fn insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
     let mut out = Vec::new();
     let mut open = vec![formula.root];
     while let Some(id) = open.pop() {

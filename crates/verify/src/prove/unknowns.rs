@@ -144,18 +144,19 @@ fn free_turn(upright: bool) -> (V3<Term>, M3<Term>) {
 
 impl<'p> Unknowns<'p> {
     /// The unknowns of a program of which only some statements count, and only some objects are spoken of.
+    /// `blank`: an instance that lacks everything.
     pub fn new(
         program: &'p Program,
-        options: &Options,
+        blank: &Rc<World<Term>>,
         usual: Option<&'p Usual>,
         counts: &dyn Fn(usize) -> bool,
         objects: &BTreeSet<ObjectId>,
     ) -> Self {
-        let mut world = World::nowhere(program, options);
+        let mut world = World::clone(blank);
         let mut own = Self {
             program,
-            options: *options,
-            world: Rc::new(world.clone()),
+            options: blank.options,
+            world: Rc::clone(blank),
             always: Vec::new(),
             curved: Vec::new(),
             rests: FxHashMap::default(),

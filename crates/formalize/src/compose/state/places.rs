@@ -4,6 +4,9 @@ use super::{Named, Side};
 use crate::brief::{FactKind, Group, Place, Rel};
 use crate::write::number;
 
+/// Beside what stands between something and a wall so much is free (metres).
+const PASS: f64 = 0.6;
+
 impl Named<'_> {
     #[allow(clippy::too_many_arguments)]
     pub(super) fn place(
@@ -19,13 +22,20 @@ impl Named<'_> {
         let room = self.room(a);
         let group = self.group(a);
         let opening = self.brief.things[a].opening();
-        // What things stand behind cannot have its back at a wall; what hangs there leaves it free.
+        // What things stand behind cannot have its back right at a wall; what hangs there leaves it free.
         let hangs = |of: &usize| matches!(self.group(*of), Group::Wall | Group::Screen | Group::Drape | Group::Window);
-        let behind = self.brief.facts.iter().any(|f| {
+        let behind = self.brief.facts.iter().filter(|f| {
             let is = matches!(&f.what, FactKind::Rel(Rel::Behind, to) if to.contains(&a));
-            is && !f.not && !f.of.iter().all(hangs)
+            is && !f.not && !f.soft
         });
-        let verb = if behind && place == Place::Wall && !opening { "prefer" } else { verb };
+        let behind = behind.flat_map(|f| f.of.iter().filter(|of| !hangs(of)));
+        let deep = behind.map(|of| self.sizes[*of][0].max(self.sizes[*of][2])).reduce(f64::max);
+        let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
+            || matches!(rel, Rel::Mounted | Rel::Hang)
+            || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed) && !self.tall(a)
+            || group == Group::Ceiling;
+        // Nothing that hangs on a wall leaves room for what is behind it.
+        let verb = if up && deep.is_some() && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         // What is no contact with the wall.
         if place == Place::Wall && !opening {
@@ -43,12 +53,14 @@ impl Named<'_> {
                 }
             }
             Place::Wall => {
-                let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
-                    || matches!(rel, Rel::Mounted | Rel::Hang)
-                    || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed) && !self.tall(a)
-                    || group == Group::Ceiling;
-                say(self.all(a, |x| {
-                    if up { format!("wallMounted({x}, {room})") } else { format!("againstWall({x}, {room})") }
+                say(self.all(a, |x| match deep {
+                    _ if up => format!("wallMounted({x}, {room})"),
+                    None => format!("againstWall({x}, {room})"),
+                    // As near the wall as what stands behind it, and who gets there, let it be.
+                    Some(deep) => {
+                        let off = number(((deep + PASS) * 10.0).ceil() / 10.0);
+                        format!("inside({x}, {room}) and backToWall({x}, {room}, {off})")
+                    }
                 }));
                 if let Some(text) = self.wall(k, a, which) {
                     say(text);

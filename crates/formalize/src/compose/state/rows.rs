@@ -76,6 +76,10 @@ impl Named<'_> {
                 let k = self.grid(a)?.columns;
                 format!("forall i in 0..{}: behind({of}[{k} + i], {of}[i])", n - k)
             }
+            Pattern::FaceToFace if self.grid(a).is_some_and(|g| g.faces) => {
+                let k = self.grid(a)?.columns;
+                format!("forall i in 0..{k}: facing({of}[i], {of}[{k} + i]) and facing({of}[{k} + i], {of}[i])")
+            }
             Pattern::Row | Pattern::Rows(_) | Pattern::LeftToRight if self.grid(a).is_some() => {
                 return self.rows(a);
             }
@@ -217,7 +221,7 @@ impl Named<'_> {
             return None;
         }
         let k = n / m;
-        if k > 4 && rel == Rel::Around && !grid.backs {
+        if k > 4 && rel == Rel::Around && !grid.backs && !grid.faces {
             return Some(self.ring_of_seats(a, b, k));
         }
         let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
@@ -245,8 +249,9 @@ impl Named<'_> {
             (0..k).map(one).collect::<Vec<_>>().join(" and ")
         };
         let columns = grid.columns;
-        Some(if grid.backs {
-            format!("(forall i in 0..{columns}: {}) and forall i in {columns}..{m}: {}", places(1.0), places(-1.0))
+        Some(if grid.backs || grid.faces {
+            let sign = if grid.backs { 1.0 } else { -1.0 };
+            format!("(forall i in 0..{columns}: {}) and forall i in {columns}..{m}: {}", places(sign), places(-sign))
         } else {
             format!("forall i in 0..{m}: {}", places(1.0))
         })
@@ -270,10 +275,11 @@ impl Named<'_> {
             return Some(format!("{}.rot <- rot(0, {}, 0);", self.name(a), number(turned)));
         }
         let (grid, of) = (self.grid(a)?, self.name(a));
-        Some(if grid.backs {
+        Some(if grid.backs || grid.faces {
             let (k, n) = (grid.columns, self.counts[a]);
+            let [first, second] = if grid.backs { [0, 180] } else { [180, 0] };
             format!(
-                "assert (forall i in 0..{k}: {of}[i].rot = rot(0, 0, 0)) and forall i in {k}..{n}: {of}[i].rot = rot(0, 180, 0);"
+                "assert (forall i in 0..{k}: {of}[i].rot = rot(0, {first}, 0)) and forall i in {k}..{n}: {of}[i].rot = rot(0, {second}, 0);"
             )
         } else {
             format!("{of}.rot <- rot(0, 0, 0);")

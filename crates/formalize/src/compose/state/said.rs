@@ -169,8 +169,11 @@ impl Named<'_> {
                 out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
                 out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
             }
+            // Across from each other, but not each has one of the others straight before it.
             Rel::Opposite if self.array(a) && self.array(b) => {
-                out.push(format!("prefer {};", pairs(&call("facing"))));
+                let (of, to) = (self.name(a), self.name(b));
+                out.push(format!("{verb} exists a in {of}: exists b in {to}: facing(a, b);"));
+                out.push(format!("{verb} forall a in {of}: forall b in {to}: dot(b.center - a.center, a.front) >= 0;"));
             }
             Rel::Facing => {
                 out.push(format!("{verb} {};", pairs(&call("looksAt"))));

@@ -136,7 +136,7 @@ impl Reader<'_> {
         if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
-            let soft = self.s.soft;
+            let soft = self.soft();
             self.state(&of, FactKind::Rel(rel, object), soft, true);
         } else {
             let sides = self.sides(i);

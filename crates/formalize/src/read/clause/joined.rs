@@ -38,7 +38,7 @@ impl Reader<'_> {
         for (rel, to) in &lead {
             match to {
                 Lead::Items(items, _) if self.s.lead_not => {
-                    let soft = self.s.soft;
+                    let soft = self.soft();
                     self.state(&of, FactKind::Rel(*rel, items.clone()), soft, true);
                 }
                 Lead::Items(items, each) => {

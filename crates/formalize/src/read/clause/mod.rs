@@ -111,7 +111,9 @@ struct Sentence {
     /// What a place says together with "of", in place of the relation before it.
     turned: Option<Rel>,
     expect: Expect,
+    /// It is softened, from this chunk on.
     soft: bool,
+    soft_from: usize,
     not: bool,
     /// "keep", "leave", "nothing": of free space.
     keep: bool,
@@ -261,9 +263,10 @@ impl<'a> Reader<'a> {
         let words = &chunks[from..end.min(chunks.len())];
         // What depends on a condition is no more than a preference.
         let conditional = |c: &Chunk| c.at.clone().any(|t| self.tokens[t].is("if") || self.tokens[t].is("unless"));
-        self.s.soft = (from..end.min(chunks.len()))
-            .filter(|k| !self.is_aside(*k, from, end))
-            .any(|k| chunks[k].piece == ChunkPiece::Soft || conditional(&chunks[k]));
+        let softens = |k: &usize| chunks[*k].piece == ChunkPiece::Soft || conditional(&chunks[*k]);
+        let first = (from..end.min(chunks.len())).filter(|k| !self.is_aside(*k, from, end)).find(softens);
+        self.s.soft = first.is_some();
+        self.s.soft_from = first.map_or(from, |soft| self.softened_from(soft, from, end));
         self.s.keep = words.iter().any(|c| matches!(c.piece, ChunkPiece::Verb(Verb::Keep) | ChunkPiece::Free));
         self.s.path = words.iter().any(|c| {
             c.at.clone().any(|t| {
@@ -337,6 +340,20 @@ impl<'a> Reader<'a> {
         if !self.s.subject && self.main.is_empty() {
             self.main = std::mem::take(&mut self.before);
         }
+    }
+
+    /// Whether what is read now is softened.
+    fn soft(&self) -> bool {
+        self.s.soft && self.s.now >= self.s.soft_from
+    }
+
+    /// Where that begins which a phrase softens: at the end of a sentence no more than what comes after the last comma, "a
+    /// sofa in the corner, turned to the fire if possible".
+    fn softened_from(&self, soft: usize, from: usize, end: usize) -> usize {
+        let chunks = &self.chunks[..end.min(self.chunks.len())];
+        let is_last = chunks[soft + 1..].iter().all(|c| matches!(c.piece, ChunkPiece::Soft | ChunkPiece::Comma));
+        let comma = (from + 1..soft).rev().find(|k| chunks[*k].piece == ChunkPiece::Comma);
+        comma.filter(|comma| is_last && comma + 1 < soft).map_or(from, |comma| comma + 1)
     }
 
     /// Whether a softening phrase ends an apposition and softens no more than that: "a table, oak if possible, with
@@ -508,7 +525,7 @@ impl<'a> Reader<'a> {
         // "a shelf with a bowl and a jar side by side": all that the shelf has.
         let listed = two && self.s.owned.len() > 1 && self.s.owned.ends_with(&of);
         let of = if listed { self.s.owned.clone() } else { of };
-        let soft = self.s.soft;
+        let soft = self.soft();
         self.state(&of, FactKind::Pattern(pattern), soft, false);
         i + 1
     }
@@ -568,6 +585,7 @@ impl<'a> Reader<'a> {
             if item.number.many() && item.number.said().is_none() && n > 0 {
                 item.number = Number::Exactly(n);
                 self.mark(i);
+                self.used[at..at + 2].fill(true);
             }
         }
         // "carts stand by the door, ten in a row"
@@ -657,6 +675,9 @@ impl<'a> Reader<'a> {
 
     /// What a relation that comes now is said of.
     fn subject(&self, i: usize) -> Vec<usize> {
+        if let Some(owner) = self.made_for(i) {
+            return vec![owner];
+        }
         if i > 0 && self.reduced(i - 1).is_some() && (!self.s.each || matches!(self.s.expect, Expect::With(..))) {
             return self.near.clone();
         }
@@ -674,6 +695,18 @@ impl<'a> Reader<'a> {
         } else {
             self.near.clone()
         }
+    }
+}
+
+impl Reader<'_> {
+    /// What something is for that was named right before: "shelves for puzzles along the wall" are there, not the puzzles.
+    fn made_for(&self, i: usize) -> Option<usize> {
+        let owner = i.checked_sub(3)?;
+        let is_for = matches!(self.chunks[i - 2].piece, ChunkPiece::Word(_)) && self.word_at(i - 2, 0) == "for";
+        let content = self.np(i - 1, i).filter(|_| is_for)?;
+        let is_bare = (content.kind, content.det) == (NounKind::Thing, Det::None) && content.count.is_none();
+        let owner = self.np(owner, i).filter(|owner| owner.kind == NounKind::Thing && is_bare && content.many)?;
+        self.find(owner)
     }
 }
 

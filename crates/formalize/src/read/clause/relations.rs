@@ -180,7 +180,7 @@ impl Reader<'_> {
                 self.multiply(&fresh, items[0]);
             }
             if negative {
-                let soft = self.s.soft;
+                let soft = self.soft();
                 self.state(&of, FactKind::Rel(rel, items), soft, true);
             } else {
                 let rel = if self.sides(i) && rel == Rel::Beside {
@@ -242,7 +242,7 @@ impl Reader<'_> {
         let stands = !of.iter().any(|o| self.brief.things[*o].opening());
         let known = matches!(place, Place::Wall | Place::Corner | Place::Middle);
         if any && there && stands && known {
-            let soft = self.s.soft;
+            let soft = self.soft();
             return self.state(of, FactKind::Place(rel, place, Vec::new()), soft, true);
         }
         let reason = "no statement says that something is not in this place".to_owned();

@@ -595,7 +595,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn say(&mut self, of: &[usize], what: FactKind) {
-        let soft = self.s.soft;
+        let soft = self.soft();
         self.state(of, what, soft, false);
     }
 
@@ -761,7 +761,7 @@ impl Reader<'_> {
             Expect::Blocked if self.s.nothing || !self.s.subject => self.clear(group, Rel::InFrontOf, CLEAR),
             Expect::Blocked if !std::mem::take(&mut self.s.not) => {}
             Expect::Blocked => {
-                let (of, soft) = (self.main.clone(), self.s.soft);
+                let (of, soft) = (self.main.clone(), self.soft());
                 self.state(&of, FactKind::Rel(Rel::InFrontOf, group.to_vec()), soft, true);
             }
             expect => {

@@ -10,7 +10,7 @@ const MEASURED: [&str; 20] = [
 ];
 
 impl Reader<'_> {
-    fn word_at(&self, i: usize, n: usize) -> &str {
+    pub(super) fn word_at(&self, i: usize, n: usize) -> &str {
         self.tokens.get(self.chunks[i].at.start + n).map_or("", |t| t.text.as_str())
     }
 
