@@ -87,7 +87,7 @@ fn assistants() {
     assert_eq!((server["command"].as_str(), args[0]), (Some("scenelang"), "mcp"));
     let folder = tempfile::tempdir().unwrap();
     let ended = run(binary().arg("mcp").arg(folder.path()), b"");
-    assert!(ended.code == 2 && ended.stderr.contains("the client did not start"), "{}", ended.stderr);
+    assert!(ended.code == 2 && ended.stderr.contains("the connection to the MCP client failed"), "{}", ended.stderr);
     let text = fs::read_to_string(root().join("spec/src/for/assistants.md")).unwrap();
     for tool in ["check", "explain", "formalize", "solve", "repair", "why_not", "render", "speculate", "vocabulary"] {
         assert!(text.contains(&format!("| `{tool}` |")), "{tool}");

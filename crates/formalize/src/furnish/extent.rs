@@ -18,6 +18,8 @@ const GROWTH: f64 = 1.07;
 const HALVED: usize = 4;
 const SHRUNK: usize = 3;
 const SHRINKING: f64 = 0.94;
+/// So many of a kind stand in rows.
+const IN_ROWS: usize = 6;
 /// Other proportions of the room that are tried, as parts of its width and depth.
 const TURNED: [[f64; 2]; 4] = [[0.72, 1.22], [1.22, 0.72], [0.82, 1.1], [1.1, 0.82]];
 /// A room keeps this part of the floor that such rooms usually have.
@@ -151,8 +153,9 @@ fn shrink(
         }
     }
     // Rows of which the last is nearly empty fit better into a room that is narrower and deeper, or the other way round.
+    let has_rows = draft.things.iter().any(|thing| thing.room == Some(at) && thing.count >= IN_ROWS);
     for [across, deep] in TURNED {
-        if now.idle <= most {
+        if now.idle <= most || !has_rows {
             break;
         }
         let [w, _, d] = draft.rooms[at].size;
