@@ -83,6 +83,21 @@ fn row(line: &'static str) -> Option<Noun> {
     Some(Noun { name, size, stands, front, access: fields.next()?.parse().ok()?, often: fields.next()?.parse().ok()? })
 }
 
+/// The plural of a noun of one or several words.
+pub fn plural(noun: &str) -> String {
+    let cut = |n: usize, ending: &str| format!("{}{ending}", &noun[..noun.len() - n]);
+    let before = noun.chars().rev().nth(1).unwrap_or(' ');
+    if noun.ends_with("shelf") {
+        cut(1, "ves")
+    } else if ["s", "x", "ch", "sh"].iter().any(|e| noun.ends_with(e)) {
+        cut(0, "es")
+    } else if noun.ends_with('y') && !"aeiou".contains(before) {
+        cut(1, "ies")
+    } else {
+        cut(0, "s")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

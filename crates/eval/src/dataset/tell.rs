@@ -4,6 +4,7 @@ use super::dice::Dice;
 use super::plan::{Link, Plan, PlannedThing};
 use super::pools::{ThingPlace, tables};
 use super::program::Stated;
+use scenelang_lang::nouns::plural;
 
 /// So many kinds of things are named in the short version.
 const NAMED: usize = 6;
@@ -235,21 +236,6 @@ fn article(words: &str) -> String {
     let vowel = words.starts_with(['a', 'e', 'i', 'o', 'u', 'A', 'E', 'I', 'O']);
     let an = vowel && !["uni", "uti", "use", "one"].iter().any(|start| words.starts_with(start));
     format!("{} {words}", if an { "an" } else { "a" })
-}
-
-/// The plural of a noun of one or several words.
-pub(crate) fn plural(noun: &str) -> String {
-    let cut = |n: usize, ending: &str| format!("{}{ending}", &noun[..noun.len() - n]);
-    let before = noun.chars().rev().nth(1).unwrap_or(' ');
-    if noun.ends_with("shelf") {
-        cut(1, "ves")
-    } else if ["s", "x", "ch", "sh"].iter().any(|e| noun.ends_with(e)) {
-        cut(0, "es")
-    } else if noun.ends_with('y') && !"aeiou".contains(before) {
-        cut(1, "ies")
-    } else {
-        cut(0, "s")
-    }
 }
 
 fn capital(text: &str) -> String {

@@ -262,11 +262,15 @@ pub(super) fn opposite_of(plan: &Plan, line: &Line) -> Option<String> {
     one.or_else(|| two().map(|t| format!("{}[0]", t.name)))
 }
 
+/// Whether what has such a place stands or hangs at a wall.
+fn is_at_wall(place: &PlanPlace) -> bool {
+    !matches!(place, PlanPlace::Middle | PlanPlace::Floor | PlanPlace::Before(..) | PlanPlace::Service(_))
+}
+
 /// The same of a size. Whether it has a place, with `whole` together with all that it is not complete without.
 pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size: [f64; 3], whole: bool) -> bool {
     let hung = line.place == PlanPlace::Hung || matches!(stand::group(line.noun), Group::Wall | Group::Screen);
-    let at_wall =
-        !matches!(line.place, PlanPlace::Middle | PlanPlace::Floor | PlanPlace::Before(..) | PlanPlace::Service(_));
+    let at_wall = is_at_wall(&line.place);
     // Where places are known, they say better what there is room for.
     let small = size[0] * size[2] < SMALL;
     let room_for =

@@ -402,12 +402,10 @@ fn cells(
     let [left, right, back, front] = reach;
     let (one, own_d) = (left + right, back + front);
     let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
-    let asked = n;
     // Pallet racks stand back to back, with an aisle for a lift truck before each.
     let deep = 1 + usize::from(noun.ends_with("pallet rack") && n >= BACK_TO_BACK);
     let cell_d = deep as f64 * own_d + (deep - 1) as f64 * BEHIND_RACKS;
-    let each = each * deep;
-    let n = n.div_ceil(each);
+    let (each, n, asked) = (each * deep, n.div_ceil(each * deep), n);
     let flat = size[1] < 0.05;
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = aisle(noun, size[0]);

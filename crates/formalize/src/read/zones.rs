@@ -6,6 +6,7 @@ use super::number;
 use super::paraphrase::put;
 use super::token::{self, Token};
 use crate::furnish::kinds::{self, Count, FurnishingKind};
+use scenelang_lang::nouns::plural;
 use std::sync::OnceLock;
 
 /// What follows the name of an activity.
@@ -118,7 +119,7 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
         }
         Some(line) => {
             let words: Vec<&str> = line.noun.split(' ').collect();
-            let several = format!("{}s", words[words.len() - 1]);
+            let several = plural(words[words.len() - 1]);
             put(tokens, from, end, &[&words[..words.len() - 1], &[several.as_str()]].concat());
         }
     }
@@ -146,6 +147,10 @@ mod tests {
         let lines = include_str!("../../data/zones.txt").lines().filter(|l| !l.starts_with('#') && !l.is_empty());
         assert_eq!(lines.count(), all().len());
         for zone in all() {
+            for noun in &zone.present {
+                let last = noun.split(' ').next_back().unwrap_or("");
+                assert_eq!(crate::read::lexicon::singular(&plural(last)), last);
+            }
             let noun = zone.present.iter().find(|noun| scenelang_lang::nouns::noun(noun).is_none());
             assert_eq!(noun, None, "{:?}", zone.names);
         }

@@ -73,18 +73,14 @@ impl Reader<'_> {
                 }
                 // "a block of wood"
                 Some(ChunkPiece::Rel(Rel::Of))
-                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_)))
+                    if self.is_look_at(k + 1, end)
                         && self.brief.things[id].words.last().is_some_and(|w| get().is(w, Class::Portion)) =>
                 {
                     let text: Vec<&str> = self.chunks[k + 1].at.clone().map(|t| self.tokens[t].text.as_str()).collect();
                     self.brief.things[id].of = Some(format!("of {}", text.join(" ")));
                     self.mark(k);
                 }
-                Some(ChunkPiece::Rel(Rel::Of | Rel::In))
-                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_))) =>
-                {
-                    self.mark(k)
-                }
+                Some(ChunkPiece::Rel(Rel::Of | Rel::In)) if self.is_look_at(k + 1, end) => self.mark(k),
                 Some(ChunkPiece::Rel(Rel::Of))
                     if self.np(k + 1, end).is_some_and(|n| {
                         matches!(n.kind, NounKind::Thing | NounKind::Abstract) && n.det == Det::None
@@ -109,11 +105,11 @@ impl Reader<'_> {
                     continue;
                 }
                 Some(ChunkPiece::Comma)
-                    if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_)))
+                    if self.is_look_at(k + 1, end)
                         || matches!(self.piece(k + 1, end), Some(ChunkPiece::Measure(m)) if !m.dims.is_empty() && is_its_size(m)) =>
                     {}
                 Some(ChunkPiece::Comma | ChunkPiece::And) if depth > 0 => {}
-                Some(ChunkPiece::And) if matches!(self.piece(k + 1, end), Some(ChunkPiece::Attr(_))) => {}
+                Some(ChunkPiece::And) if self.is_look_at(k + 1, end) => {}
                 Some(ChunkPiece::Np(np))
                     if depth > 0
                         && (get().part(&np.head()) || np.look != crate::draft::Look::default() && !np.known) =>
@@ -157,6 +153,11 @@ impl Reader<'_> {
             k += 1;
         }
         k
+    }
+
+    /// Whether a chunk says how something looks.
+    fn is_look_at(&self, k: usize, end: usize) -> bool {
+        matches!(self.piece(k, end), Some(ChunkPiece::Attr(_)))
     }
 
     /// "a lamp shaped like a moon": the chunk of the moon.
