@@ -88,12 +88,11 @@ pub fn up(plan: &mut Plan, at: usize) {
     let y = (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3));
     let line = line(plan, at);
     let is_screen = stand::group(&noun) == Group::Screen;
-    let is_projected_on = ["projector screen", "projection screen"].iter().any(|screen| noun.ends_with(screen));
     let choice = Choice {
         noun: &noun,
         size,
         windows: &windows,
-        looks_at: if is_screen || is_projected_on { watched_from(plan) } else { None },
+        looks_at: if is_screen { watched_from(plan) } else { None },
         strictly: false,
         staffed: None,
         near: None,
