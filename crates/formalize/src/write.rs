@@ -11,6 +11,7 @@ use crate::colors;
 use crate::draft::{
     Demand, Draft, DraftRoom, DraftThing, Look, Narrowed, Opening, OpeningKind, Statement, ThingOrigin,
 };
+use crate::furnish::sill;
 use crate::names::{mentions, words};
 use crate::text::{folded, phrase, plain, quoted, wrapped};
 use scenelang_lang::fmt::{FormatOptions, format};
@@ -25,9 +26,6 @@ pub const INFERRED: &str = "inferred: ";
 
 /// How wide the request is written at the top, and how many lines of it.
 const HEADER: (usize, usize) = (92, 12);
-
-/// The height of a window's lower edge, where the wall is high enough (metres).
-const SILL: f64 = 0.9;
 
 /// The text of a program: compiled, it has the rooms, openings, things and statements of the draft.
 pub fn write(draft: &Draft) -> String {
@@ -207,21 +205,12 @@ impl Writer<'_> {
                 self.inferred("a door stands on the floor and opens freely", &asked);
             }
             OpeningKind::Window if !raised && ceiling.is_finite() => {
-                let usual = SILL.min((ceiling - size[1]) / 2.0);
-                let sill = usual.max(self.top_below(name).min(ceiling - size[1] - 0.02)).max(0.0);
+                let sill = sill(self.draft, opening);
                 self.inferred("a window has a sill", &[Some(format!("{name}.pos.y = {}", number(sill)))]);
             }
             OpeningKind::Window => {}
         }
         self.following(Some(name));
-    }
-
-    /// The top of what a window is said to be above of, where that stands on the floor.
-    fn top_below(&self, window: &str) -> f64 {
-        let begin = format!("above({window}, ");
-        let below = self.draft.statements.iter().filter_map(|s| s.text.strip_prefix(&begin)?.strip_suffix(')'));
-        let things = below.filter_map(|name| self.draft.things.iter().find(|thing| thing.name == name));
-        things.filter_map(|thing| thing.size).map(|[_, h, _]| h + 0.02).fold(0.0, f64::max)
     }
 
     /// One assertion of several conditions, as far as there are any.

@@ -2,7 +2,7 @@
 //! beside the bed, the coffee table before the sofa. It waits for that, whether it is asked for, too, or comes with the
 //! room.
 
-use super::FENCED;
+use super::{FENCED, daylight};
 use super::groups::{self, Along, GroupPart, Where};
 use super::kinds::{Count, FurnishingKind, Line};
 use super::plan::{AtWall, Plan, for_people, why};
@@ -141,7 +141,13 @@ impl Plan<'_> {
 
     /// Whether a thing is asked for and has no place yet, and nothing is said of where it is but in relation to `anchor`.
     fn is_free(&self, at: usize, anchor: Option<&str>) -> bool {
-        self.is_unplaced(at) && !stand::placed_without(self.draft, &self.draft.things[at].name, anchor)
+        self.is_unplaced(at) && !self.is_said_elsewhere(at, anchor)
+    }
+
+    /// Whether it is said where a thing is, but in relation to `other` or to a window that goes where the thing is.
+    fn is_said_elsewhere(&self, at: usize, other: Option<&str>) -> bool {
+        let is_fixed = |s: &Statement| !daylight::is_moving_window(self, s);
+        stand::placed_where(self.draft, &self.draft.things[at].name, other, &is_fixed)
     }
 
     /// Whether a thing is asked for, has no place yet, and stands where something else might have it.
@@ -161,7 +167,7 @@ impl Plan<'_> {
     fn agrees(&self, part: &GroupPart, name: &str) -> bool {
         let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
         let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
-        self.draft.statements.iter().filter(about).all(|s| {
+        self.draft.statements.iter().filter(about).filter(|s| !daylight::is_moving_window(self, s)).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;
             calls(&s.text).iter().all(|call| match *call {
@@ -207,7 +213,7 @@ impl Plan<'_> {
             && anchor.room == Some(self.room)
             && (matches!(anchor.source, ThingOrigin::Stated(_)) || for_people(&anchor.source))
             && self.draft.things[at].count.is_multiple_of(anchor.count)
-            && !stand::placed_without(self.draft, &self.draft.things[at].name, Some(&anchor.name))
+            && !self.is_said_elsewhere(at, Some(&anchor.name))
             && has_part(&self.group_name(&anchor.category), self.kind.dress, DEEP, &|part| {
                 takes(part, &self.draft.things[at].category) && self.agrees(part, &self.draft.things[at].name)
             })

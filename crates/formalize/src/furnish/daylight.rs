@@ -8,6 +8,7 @@ use super::plan::{Plan, metres};
 use super::seek::Wall;
 use super::stand;
 use crate::draft::{Draft, Look, Opening, OpeningKind, Statement, ThingOrigin};
+use crate::names::mentions;
 
 /// So much wall is left beside a window (metres).
 const BESIDE: f64 = 0.3;
@@ -19,6 +20,8 @@ const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 const WINDOWS: [[f64; 3]; 3] = [[1.4, 1.3, 0.12], [0.9, 1.2, 0.12], [0.6, 0.9, 0.12]];
 /// The height of a window whose sill is above worktops and taps.
 const OVER_WORKTOPS: f64 = 1.05;
+/// A window begins so high above the floor (metres).
+const SILL: f64 = 0.9;
 /// No room has more windows.
 const MOST: usize = 6;
 
@@ -62,53 +65,149 @@ fn windows(plan: &Plan) -> Option<Windows> {
     let [w, h, d] = plan.draft.rooms[plan.room].size;
     // A room of a home that usually has a window has one, however small it is.
     let wanted = if plan.draft.rooms.len() > 1 { wanted.max(plan.kind.windows.min(1)) } else { wanted };
-    let watched = plan.kind.lines.iter().any(|line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Before(..)));
-    let cooks = plan.kind.lines.iter().any(|line| line.noun == "kitchen counter");
     // Small ones where it is narrow.
     let first = if plan.draft.rooms.len() > 1 && w.min(d) < 2.4 { 2 } else { 0 };
     for [width, height, thick] in WINDOWS[first..].iter().copied() {
-        let height = if cooks { height.min(OVER_WORKTOPS) } else { height };
+        let height = if cooks(plan) { height.min(OVER_WORKTOPS) } else { height };
         let size = [width, height.min(h - 1.1).max(0.4), thick];
-        let step = width + BESIDE + 0.2;
+        let step = width + BETWEEN;
         let most = ((w.max(d) - 0.4) / step) as usize;
         let count = wanted.min(most).min(MOST);
         if plan.draft.rooms[plan.room].outline.is_some() {
             return Some(Windows { size, count, row: None });
         }
-        let mut row = None;
-        let mut fit = 0;
-        let mut walls = [Wall::Left, Wall::Back, Wall::Right, Wall::Front];
-        // Across from the bed hangs the television.
-        if plan.draft.rooms.len() > 1 && plan.kind.has_hung_screen() {
-            walls.sort_by(|a, b| a.length([w, h, d]).total_cmp(&b.length([w, h, d])));
-        }
-        for wall in walls {
-            let (count, first) = openings::windows_in(plan.draft, plan.room, wall, count, size, step);
-            let behind_door = plan.draft.openings.iter().any(|o| {
-                plan.place_in_room(&o.name).and_then(|pose| Wall::behind(&pose)) == Some(wall)
-                    && o.rooms.contains(&plan.room)
-            });
-            // The left one, unless another has room for clearly more.
-            let more = if row.is_some() { 2 * count > 3 * fit } else { count > 0 };
-            if more && !(watched && wall == Wall::Back) && !behind_door {
-                (row, fit) = (Some((wall, first)), count);
-            }
-        }
-        if row.is_some() {
-            return Some(Windows { size, count: fit, row });
+        if let Some((wall, first, count)) = in_wall(plan, count, size, step) {
+            return Some(Windows { size, count, row: Some((wall, first)) });
         }
         if plan.draft.rooms.len() == 1 {
-            return Some(Windows { size, count, row });
+            return Some(Windows { size, count, row: None });
         }
     }
     None
+}
+
+/// Whether such rooms have a sink and a stove.
+fn cooks(plan: &Plan) -> bool {
+    plan.kind.lines.iter().any(|line| line.noun == "kitchen counter")
+}
+
+/// The wall for so many windows, the middle of the first, and how many there is room for.
+fn in_wall(plan: &Plan, count: usize, size: [f64; 3], step: f64) -> Option<(Wall, f64, usize)> {
+    let room = plan.draft.rooms[plan.room].size;
+    let watched = plan.kind.lines.iter().any(|line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Before(..)));
+    let mut row: Option<(Wall, f64, usize)> = None;
+    let mut walls = [Wall::Left, Wall::Back, Wall::Right, Wall::Front];
+    // Across from the bed hangs the television.
+    if plan.draft.rooms.len() > 1 && plan.kind.has_hung_screen() {
+        walls.sort_by(|a, b| a.length(room).total_cmp(&b.length(room)));
+    }
+    for wall in walls {
+        let (count, first) = openings::windows_in(plan.draft, plan.room, wall, count, size, step);
+        let behind_door = plan.draft.openings.iter().any(|o| {
+            plan.place_in_room(&o.name).and_then(|pose| Wall::behind(&pose)) == Some(wall)
+                && o.rooms.contains(&plan.room)
+        });
+        // The left one, unless another has room for clearly more.
+        let more = row.map_or(count > 0, |(_, _, fit)| 2 * count > 3 * fit);
+        if more && !(watched && wall == Wall::Back) && !behind_door {
+            row = Some((wall, first, count));
+        }
+    }
+    row
+}
+
+/// Gives the windows that are asked for, and of which nothing else is said, the places that added ones would have. One over
+/// a sink waits for that.
+pub fn place_windows(plan: &mut Plan) {
+    let asked: Vec<Opening> = plan.draft.openings.iter().filter(|o| is_open(plan, o)).cloned().collect();
+    let Some(first) = asked.first() else { return };
+    let size = asked.iter().fold(first.size, |size, o| [size[0].max(o.size[0]), size[1].max(o.size[1]), size[2]]);
+    let step = size[0] + BETWEEN;
+    let Some((wall, from, count)) = in_wall(plan, asked.len(), size, step) else { return };
+    let room = plan.draft.rooms[plan.room].size;
+    for (i, window) in asked.iter().enumerate().take(count) {
+        let pose = Pose { y: sill(plan.draft, window), ..wall.place(room, from + step * i as f64, 0.0) };
+        plan.note_place(&window.name, &pose);
+    }
+}
+
+/// Gives a window that is over a sink of a kitchen its place.
+pub fn place_over(plan: &mut Plan) {
+    let windows: Vec<Opening> = plan.draft.openings.iter().filter(|o| sink_below(plan, o).is_some()).cloned().collect();
+    for window in windows {
+        let sink = sink_below(plan, &window).and_then(|sink| plan.place_in_room(&sink));
+        let Some((sink, wall)) = sink.and_then(|pose| Some((pose, Wall::behind(&pose)?))) else { continue };
+        let room = plan.draft.rooms[plan.room].size;
+        let along = if matches!(wall, Wall::Back | Wall::Front) { sink.x } else { sink.z };
+        let pose = Pose { y: sill(plan.draft, &window), ..wall.place(room, along, 0.0) };
+        plan.note_place(&window.name, &pose);
+    }
+}
+
+/// Whether a window of the room has no place, and none is said.
+fn is_open(plan: &Plan, window: &Opening) -> bool {
+    const RELATED: [&str; 5] = ["connects(", "near(", "above(", "behind(", "inFrontOf("];
+    let says = |s: &Statement| {
+        matches!(s.source, ThingOrigin::Stated(_))
+            && mentions(&s.text, &window.name)
+            && !RELATED.iter().any(|call| s.text.starts_with(call))
+    };
+    window.kind == OpeningKind::Window
+        && window.category.is_none()
+        && window.rooms == [plan.room]
+        && plan.draft.place_of(&window.name).is_none()
+        && sink_below(plan, window).is_none()
+        && !plan.draft.statements.iter().any(says)
+}
+
+/// The sink of a kitchen that a window without a place is said to be over.
+fn sink_below(plan: &Plan, window: &Opening) -> Option<String> {
+    if !cooks(plan) || window.kind != OpeningKind::Window || plan.draft.place_of(&window.name).is_some() {
+        return None;
+    }
+    let begin = format!("above({}, ", window.name);
+    let mut below = plan.draft.statements.iter().filter_map(|s| s.text.strip_prefix(&begin)?.strip_suffix(')'));
+    let is_sink =
+        |name: &&str| plan.draft.things.iter().any(|thing| thing.name == *name && thing.category.ends_with("sink"));
+    below.find(is_sink).map(str::to_owned)
+}
+
+/// Whether a statement only says that a window without a place is over a sink, or near it: the sink may stand anywhere.
+pub fn is_moving_window(plan: &Plan, statement: &Statement) -> bool {
+    let over = plan.draft.openings.iter().filter(|o| mentions(&statement.text, &o.name));
+    over.into_iter().any(|window| {
+        sink_below(plan, window).is_some_and(|sink| {
+            mentions(&statement.text, &sink)
+                && ["above(", "over(", "near("].iter().any(|call| statement.text.starts_with(call))
+        })
+    })
+}
+
+/// The height of the sill of a window of which none is said: it is above what is said to be below it (metres).
+pub fn sill(draft: &Draft, window: &Opening) -> f64 {
+    let said = format!("{}.bottom = ", window.name);
+    if let Some(said) = draft.statements.iter().find_map(|s| s.text.strip_prefix(&said)?.parse().ok()) {
+        return said;
+    }
+    let rooms = window.rooms.iter().filter_map(|room| draft.rooms.get(*room));
+    let ceiling = rooms.map(|room| room.size[1]).fold(f64::INFINITY, f64::min);
+    let usual = SILL.min((ceiling - window.size[1]) / 2.0);
+    usual.max(top_below(draft, &window.name).min(ceiling - window.size[1] - 0.02)).max(0.0)
+}
+
+/// The top of what a window is said to be above of, where that stands on the floor.
+fn top_below(draft: &Draft, window: &str) -> f64 {
+    let begin = format!("above({window}, ");
+    let below = draft.statements.iter().filter_map(|s| s.text.strip_prefix(&begin)?.strip_suffix(')'));
+    let things = below.filter_map(|name| draft.things.iter().find(|thing| thing.name == name));
+    things.filter_map(|thing| thing.size).map(|[_, h, _]| h + 0.02).fold(0.0, f64::max)
 }
 
 /// Adds the windows of a room.
 pub fn add_windows(plan: &mut Plan) {
     let Some(Windows { size, count, row }) = windows(plan) else { return };
     let [w, h, d] = plan.draft.rooms[plan.room].size;
-    let step = size[0] + BESIDE + 0.2;
+    let step = size[0] + BETWEEN;
     let sill = (2.2 - size[1]).clamp(0.9, 1.3).min(h - size[1] - 0.2).max(0.0);
     let why = format!("a {} has daylight", plan.kind.name);
     let mut made: Vec<String> = Vec::new();

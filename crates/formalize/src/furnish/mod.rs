@@ -44,6 +44,7 @@ mod whom;
 use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Rel};
 use crate::draft::{Draft, DraftThing, ThingOrigin};
 pub use area::overfull;
+pub use daylight::sill;
 pub(crate) use gates::GATE;
 use number::{Scale, scale};
 
@@ -313,12 +314,10 @@ fn usual_number(
     match line.count {
         // "A pharmacy with shelves": as many as such shops have.
         kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
-        // "Reading tables for twelve".
-        kinds::Count::People(each) if plural && thing.group == Group::Table => {
-            let people = brief.rooms.get(thing.room)?.people;
-            // Nobody says how many eat there: as many as usual.
-            let eats = kind.lines.iter().any(|line| matches!(line.place, kinds::PlanPlace::Before(_, 180.0)));
-            let people = people.map(|n| n as f64).or(Some(kind.people).filter(|_| eats || rows))?;
+        // "Reading tables for twelve". Nobody says how many people: as many as sleep there, or as usual.
+        kinds::Count::People(each) if plural && matches!(thing.group, Group::Table | Group::Storage) => {
+            let people = brief.rooms.get(thing.room)?.people.or_else(|| sleepers(brief, thing.room, kind));
+            let people = people.map_or(kind.people, |people| people as f64);
             Some((people / each).ceil().max(2.0) as usize)
         }
         kinds::Count::Area(each)
@@ -333,6 +332,19 @@ fn usual_number(
         }
         _ => None,
     }
+}
+
+/// How many sleep in the beds of a room that are asked for.
+fn sleepers(brief: &Brief, room: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
+    let at = (0..brief.things.len()).find(|at| {
+        let thing = &brief.things[*at];
+        thing.room == room && thing.group == Group::Bed && thing.number.said().is_some()
+    })?;
+    let each = kind.lines.iter().find_map(|line| match line.count {
+        kinds::Count::People(each) if stand::group(line.noun) == Group::Bed => Some(each),
+        _ => None,
+    })?;
+    Some((brief.count(at) as f64 * each) as usize)
 }
 
 /// A request that names no room but what a kind of room is called by: "a cosy bar", "a bar with booths".

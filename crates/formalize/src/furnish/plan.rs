@@ -25,7 +25,11 @@ const SHARED: [usize; 2] = [60, 30];
 const HIGH: f64 = 1.6;
 const KEPT_HIGH: [&str; 4] = ["box", "suitcase", "basket", "plant"];
 /// Groups of groups of groups: so deep.
-const DEEP: usize = 3;
+const DEEP: usize = 4;
+/// The parts of a kitchen at its window.
+const COUNTER: &str = "kitchen counter";
+const SINK: &str = "kitchen sink";
+const WINDOW_SINK: &str = "window sink";
 
 /// A room and its draft.
 pub struct Plan<'a> {
@@ -264,7 +268,9 @@ impl<'a> Plan<'a> {
             return;
         }
         let loaded = stand::loaded(self.draft, thing);
-        let is_under_window = self.is_under_window(&self.draft.things[thing].name);
+        let is_under_window = self.is_under_window(&self.draft.things[thing].name) || self.has_window_sink(name);
+        // Beside a sink under a window nothing tall stands.
+        let name = if is_under_window && name == SINK { WINDOW_SINK } else { name };
         tops::load(self, thing);
         let mut taken: Vec<Taken> = self.loads.iter().filter(|(of, _)| *of == thing).map(|(_, taken)| *taken).collect();
         for part in groups::of(name, self.kind.dress) {
@@ -295,6 +301,12 @@ impl<'a> Plan<'a> {
         self.draft.statements.iter().any(|s| says(&s.text))
     }
 
+    /// Whether it is the worktop beside a sink that is said to be under a window: no cupboard hangs there.
+    fn has_window_sink(&self, name: &str) -> bool {
+        let here = |thing: &&DraftThing| thing.room == Some(self.room) && thing.category.ends_with("sink");
+        name == COUNTER && self.draft.things.iter().filter(here).any(|sink| self.is_under_window(&sink.name))
+    }
+
     /// How many elements of a thing that is there already need a part: none if such things are there.
     fn part(&mut self, thing: usize, part: &GroupPart, wall: AtWall, deep: usize, taken: &mut Vec<Taken>) {
         let noun = part.noun;
@@ -313,9 +325,10 @@ impl<'a> Plan<'a> {
         if matches!(part.at, Where::Enclose(..)) {
             return;
         }
-        // In a run there is nothing at the sides.
+        // In a run there is nothing at the sides, but for beds of a ward.
+        let in_ward = category.ends_with("hospital_bed") || category.ends_with("patient_bed");
         let beside = matches!(part.at, Where::Side(..) | Where::Sides(..));
-        if beside && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
+        if beside && !in_ward && self.building.as_ref().is_some_and(|group| group.is_run(thing)) {
             return;
         }
         if noun.ends_with("rug") && !self.wants_rug(thing) {

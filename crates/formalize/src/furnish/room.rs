@@ -1,7 +1,7 @@
 //! One room, from the way in to the light: openings, floor and walls, what is asked for with what goes with it, then the
 //! inventory of its kind as far as there is room.
 
-use super::daylight::{add_windows, keep_windows_free, way_in};
+use super::daylight::{add_windows, keep_windows_free, place_over, place_windows, way_in};
 use super::floor::Floor;
 use super::inventory::{came_along, inventory};
 use super::kinds::{self, Count, Line, PlanPlace};
@@ -98,12 +98,12 @@ pub fn furnish_once(
     (plan.only, plan.counted) = (brief.rooms[at].only, counted);
     if !windows {
         add_windows(&mut plan);
+    } else if rectangular && !plan.draft.outdoor {
+        place_windows(&mut plan);
     }
     if rectangular {
         plan.ground = Some(openings::floor(plan.draft, at));
-        if !windows {
-            gates::curtains(&mut plan);
-        }
+        gates::curtains(&mut plan);
     }
     asked::rounded(&mut plan, brief);
     asked::lengthened(&mut plan, brief);
@@ -170,6 +170,7 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
             stand_up(plan, &[*thing]);
         }
     }
+    place_over(plan);
     tops::settle(plan);
     plan.lacking += seats_apart(plan, &order.waiting);
 }

@@ -262,9 +262,9 @@ pub fn placed(draft: &Draft, name: &str) -> bool {
     draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name))
 }
 
-/// The same, but for what is said of it in relation to one other thing.
-pub fn placed_without(draft: &Draft, name: &str, other: Option<&str>) -> bool {
-    let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
+/// The same, but for what is said of it in relation to one other thing, by the statements that count.
+pub fn placed_where(draft: &Draft, name: &str, other: Option<&str>, counts: &dyn Fn(&Statement) -> bool) -> bool {
+    let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name) && counts(s);
     draft.statements.iter().filter(about).any(|s| {
         let related = other.is_some_and(|other| mentions(&s.text, other));
         // Two on both sides of a table face each other.

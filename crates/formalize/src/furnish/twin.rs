@@ -21,6 +21,11 @@ const OTHER: [&str; 6] = ["hospital bed", "patient bed", "bunk bed", "loft bed",
 const USUAL: &str = "nightstand";
 const WHY: &str = "two beds side by side share the nightstand between them";
 
+/// So thin and so high at least is what divides two beds; beside it there is room for what belongs to the bed on its right,
+/// and for that and a chair to its left (metres).
+const DIVIDER: [f64; 2] = [0.2, 1.4];
+const BESIDE_DIVIDER: [f64; 2] = [0.64, 1.06];
+
 /// Finds a place for a group, given those of the groups before it.
 type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 
@@ -38,7 +43,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     it.count == 2
         && only
         && stand::group(&it.category) == Group::Bed
-        && !OTHER.iter().any(|other| noun.ends_with(other))
+        && (!OTHER.iter().any(|other| noun.ends_with(other)) || divider(plan, &it.name).is_some())
         && !plan.draft.things.iter().any(asked)
 }
 
@@ -46,13 +51,24 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
 fn among(plan: &Plan, text: &str, pair: &str) -> Option<usize> {
     let code: String = text.split_whitespace().collect();
     plan.draft.things.iter().position(|thing| {
-        let fits = thing.size.is_some_and(|[w, _, d]| w <= LARGEST[0] && d <= LARGEST[1]);
+        let fits = thing.size.is_some_and(|[w, _, d]| w <= LARGEST[0] && d <= LARGEST[1]) || divides(thing);
         thing.count == 1
             && fits
             && [[0, 1], [1, 0]]
                 .iter()
                 .any(|[a, b]| code.contains(&format!("between({},{pair}[{a}],{pair}[{b}])", thing.name)))
     })
+}
+
+/// Whether a thing is a curtain or a screen that can stand between two beds.
+fn divides(thing: &crate::draft::DraftThing) -> bool {
+    thing.size.is_some_and(|[_, h, d]| d <= DIVIDER[0] && h >= DIVIDER[1])
+}
+
+/// The curtain or screen that is said to be between the two.
+fn divider(plan: &Plan, pair: &str) -> Option<usize> {
+    let said = plan.draft.statements.iter().find_map(|s| among(plan, &s.text, pair));
+    said.filter(|at| divides(&plan.draft.things[*at]))
 }
 
 /// Gives the pair a place, its first bed where `seek` finds one. Whether there is one.
@@ -71,10 +87,17 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
         })
     });
     let own = asked.and_then(|at| plan.draft.things[at].size).unwrap_or_else(|| Plan::size(USUAL));
-    let (apart, has) = (BETWEEN.max(own[0] + 2.0 * BESIDE), asked.is_some() || !plan.is_closed(USUAL));
+    let has = asked.is_some() || !plan.is_closed(USUAL);
+    let divided = asked.is_some_and(|at| divides(&plan.draft.things[at]));
+    let (apart, middle) = if divided {
+        let [left, right] = BESIDE_DIVIDER;
+        (left + own[2] + right, Slot { x: w / 2.0 + right + own[2] / 2.0, z: 0.0, level: Level::Floor, yaw: 90.0 })
+    } else {
+        let apart = BETWEEN.max(own[0] + 2.0 * BESIDE);
+        (apart, Slot { x: (w + apart) / 2.0, z: (own[2] - d) / 2.0, level: Level::Floor, yaw: 0.0 })
+    };
     let across = Slot { x: w + apart, z: 0.0, level: Level::Floor, yaw: 0.0 };
-    let middle = Slot { x: (w + apart) / 2.0, z: (own[2] - d) / 2.0, level: Level::Floor, yaw: 0.0 };
-    let frame = |slot: &Slot| Pose { x: slot.x, z: slot.z, ..Pose::default() };
+    let frame = |slot: &Slot| Pose { x: slot.x, z: slot.z, yaw: slot.yaw, ..Pose::default() };
     let shared = Footprint { thing: usize::MAX, at: frame(&middle), size: own, flat: false, tall: false };
     let with_both = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         let mut whole = shape.clone();
@@ -103,14 +126,15 @@ fn share(plan: &mut Plan, asked: Option<usize>, pair: &str, middle: &Slot) {
     // Between beds is beside both: their middles are not at the head.
     let among = |text: &str| text.contains("between(") && mentions(text, &name);
     let wall = format!("againstWall({name}, ");
+    let divided = divides(&plan.draft.things[at]);
     for statement in &mut plan.draft.statements {
-        if matches!(statement.source, ThingOrigin::Stated(_)) && among(&statement.text) {
+        if matches!(statement.source, ThingOrigin::Stated(_)) && among(&statement.text) && !divided {
             statement.text = format!("beside({name}, {pair}[0]) and beside({name}, {pair}[1])");
         }
     }
     plan.draft.statements.retain(|s| !(s.demand == Demand::Prefer && s.text.contains(&wall)));
     if let Some(from) = plan.place_in_room(&first) {
-        let pose = from.then(&Pose { x: middle.x, z: middle.z, ..Pose::default() });
+        let pose = from.then(&Pose { x: middle.x, z: middle.z, yaw: middle.yaw, ..Pose::default() });
         plan.note_place(&name, &pose);
         let size = plan.draft.things[at].size.unwrap_or_default();
         let piece = Footprint { thing: at, at: Pose::default(), size, flat: false, tall: false };

@@ -1,7 +1,8 @@
 //! What people mean who name a thing by its use or as a whole: a wall of books is bookshelves, an audience is its seats.
 
+use super::lexicon::plural;
 use super::number;
-use super::paraphrase::{put, word};
+use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
 use super::zones::HOMES;
 use crate::furnish::kinds;
@@ -342,6 +343,24 @@ pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Two beds separated by a curtain": it is between them.
+pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const PASSED: [&str; 7] = ["door", "wall", "corridor", "hall", "hallway", "opening", "distance"];
+    let by = matches!([word(tokens, i), word(tokens, i + 1)], ["separated" | "divided", "by"]);
+    let several = i > 0 && plural(word(tokens, i - 1));
+    if !by || !several || !matches!(word(tokens, i + 2), "a" | "an" | "one") {
+        return false;
+    }
+    let end = (i + 3..tokens.len()).find(|at| ends(tokens, *at)).unwrap_or(tokens.len());
+    let divider = word(tokens, end - 1).to_owned();
+    if end > i + 5 || PASSED.contains(&divider.as_str()) {
+        return false;
+    }
+    put(tokens, end - 1, end, &[&divider, "between", "them"]);
+    put(tokens, i, i + 2, &["with"]);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{paraphrase, token};
@@ -389,6 +408,8 @@ mod tests {
             ("a lobby with a desk and seating", "a lobby with a desk and a seating area"),
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
             ("a hall seating twenty people", "a hall for twenty people"),
+            ("two beds separated by a curtain and a lamp", "two beds with a curtain between them and a lamp"),
+            ("two rooms separated by a door", "two rooms separated by a door"),
             ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
             ("a hotel with a reception", "a hotel with a reception"),
             ("a restaurant with a reception stand", "a restaurant with a host stand"),

@@ -9,6 +9,7 @@ use crate::write::number;
 /// What is lower than this may stand at the foot of a bed, so far from it (metres).
 const LOW: f64 = 0.7;
 const AT_FOOT: f64 = 0.6;
+const AT_WINDOW: f64 = 0.6;
 
 /// A relation of one thing to another that is not denied.
 #[derive(Clone, Copy)]
@@ -161,6 +162,7 @@ impl Named<'_> {
         let Said { a, rel, b, verb, .. } = *said;
         let (ga, gb) = (self.group(a), self.group(b));
         let call = |p: &'static str| move |x: &str, y: &str| format!("{p}({x}, {y})");
+        let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
         match rel {
             Rel::Facing if self.grid(a).is_some() => {
@@ -174,6 +176,11 @@ impl Named<'_> {
                 let (of, to) = (self.name(a), self.name(b));
                 out.push(format!("{verb} exists a in {of}: exists b in {to}: facing(a, b);"));
                 out.push(format!("{verb} forall a in {of}: forall b in {to}: dot(b.center - a.center, a.front) >= 0;"));
+            }
+            // Who sits at a desk that faces the window looks out of it, across the desk.
+            Rel::Facing if gb == Group::Window && self.sat_at(a) => {
+                out.push(format!("{verb} {};", pairs(&far(AT_WINDOW))));
+                out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})"))));
             }
             Rel::Facing => {
                 out.push(format!("{verb} {};", pairs(&call("looksAt"))));
@@ -205,6 +212,13 @@ impl Named<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Whether it is a desk at whose front its user sits.
+    fn sat_at(&self, item: usize) -> bool {
+        const OTHER: [&str; 3] = ["reception", "front", "information"];
+        let words = &self.brief.things[item].words;
+        words.last().is_some_and(|w| w == "desk") && !words.iter().any(|w| OTHER.contains(&w.as_str()))
     }
 
     /// Whether something hangs on a wall that is said to be above what stands in the middle of the room: not both can be.
