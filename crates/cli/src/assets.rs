@@ -80,7 +80,7 @@ fn library(family: Option<&str>, usual: Option<[f64; 3]>) -> String {
         None => "no usual size is known".to_owned(),
     };
     match family {
-        Some(family) => format!("the library draws it as {family}; {size}\n"),
+        Some(family) => format!("the furniture library has a generator for it: {family}; {size}\n"),
         None => format!("the library would draw a labelled box; {size}\n"),
     }
 }
@@ -133,7 +133,7 @@ pub fn check(args: &AssetsCheck) -> u8 {
     if args.format == AssetsFormat::Human {
         let lines = |c: &Found| -> String { c.findings.iter().map(|d| in_words(&name(&c.file), d)).collect() };
         out::show(&checked.iter().map(lines).collect::<String>());
-        out::show(&format!("{folder}: no findings in {good} of {total} models\n"));
+        out::show(&format!("{folder}: {good} of {total} models have no findings\n"));
         return worst;
     }
     let judged = |c: Found| Checked::refused(&name(&c.file), SourceMap::new(), c.findings, &Options::default());

@@ -192,7 +192,7 @@ pub fn understand(
                 .to_owned(),
         );
     } else if let Some(why) = overfull.as_ref() {
-        diagnostics.push(format!("{why}; no layout was searched for"));
+        diagnostics.push(format!("{why}; the solver was not run"));
     } else if !holds && time.is_some() && stop.is_set() {
         diagnostics.push("the time limit was reached before a layout was found that satisfies everything".to_owned());
     } else if !holds {
@@ -296,7 +296,7 @@ fn told_left_out(reading: &Reading) -> Option<String> {
         noun if *count > 1 => format!("{noun} ({count})"),
         noun => noun,
     });
-    let more = (more > 0).then(|| format!("{more} more objects"));
+    let more = (more > 0).then(|| format!("{more} more"));
     let all: Vec<String> = named.chain(more).collect();
     let (last, first) = all.split_last()?;
     let list = if first.is_empty() { last.clone() } else { format!("{} and {last}", first.join(", ")) };

@@ -20,12 +20,12 @@ pub fn explain(args: &Explain) -> u8 {
         out::show(&found.join("\n"));
         return GOOD;
     }
-    eprintln!("error: `{word}` is not a code, a word of the language, a setting or a command");
+    eprintln!("error: `{word}` is not a code, predicate, function, property, setting or command");
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
     let near = suggest::nearest(&word.to_uppercase(), all).map(str::to_owned);
     match near.or_else(|| words::nearest_of_all(&word)) {
         Some(near) => eprintln!("  did you mean `{near}`?"),
-        None => eprintln!("  codes look like E0201, W0302 or V0101; words are predicates, functions and properties"),
+        None => eprintln!("  codes look like E0201, W0302 or V0101; the book describes keywords such as `assert`"),
     }
     FAILED
 }

@@ -116,7 +116,7 @@ fn block(object: &Object, judged: bool) -> String {
     }
     if let Some(Pose { pos, rot, size }) = &object.pose {
         out += &format!(
-            "  stands at ({}), turned by {}, {} m\n",
+            "  position ({}), rotation {}, size {} m\n",
             triple(pos),
             rotation(rot),
             size.map(metres).join(" × ")
@@ -156,7 +156,7 @@ fn opening(joint: &Opens) -> String {
     let Opens { name, motion, limits: [from, to], useful } = joint;
     let amount = |value: f64| if motion == "hinge" { format!("{value:.0}°") } else { format!("{} m", metres(value)) };
     let verb = if motion == "hinge" { "turns" } else { "slides" };
-    let useful = useful.map_or_else(String::new, |useful| format!("; useful from {} on", amount(useful)));
+    let useful = useful.map_or_else(String::new, |useful| format!("; must open to at least {}", amount(useful)));
     format!("opens: `{name}` {verb} from {} to {}{useful}", amount(*from), amount(*to))
 }
 

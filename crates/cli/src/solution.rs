@@ -21,8 +21,8 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
         out += &report::human(&found.checked, Human { color: color(), all: false });
         let end = match found.outcome.end {
             _ if found.layout().incomplete => ", incomplete because of the interruption",
-            End::Time => ", when the time limit was reached",
-            End::Budget => ", when the budget was used up (--effort increases it)",
+            End::Time => " because the time limit was reached; it does not satisfy everything",
+            End::Budget => " after the search budget was used up (increase it with --effort)",
             _ => "",
         };
         out += &preferred(found);
@@ -70,7 +70,7 @@ fn still_free(found: &JudgedLayout) -> String {
         0 => String::new(),
         more => format!("; and {more} more"),
     };
-    format!("still free: {}{more}\n", named.join("; "))
+    format!("objects that can still move: {}{more}\n", named.join("; "))
 }
 
 /// The statements in the way, in words.
@@ -81,8 +81,7 @@ fn in_the_way(found: &JudgedLayout) -> String {
         1 => "this statement".to_owned(),
         n => format!("these {n} statements"),
     };
-    let mut out =
-        format!("without {which}, all other statements can hold, as this layout shows; a smaller set may exist:\n");
+    let mut out = format!("if {which} is removed, the layout satisfies all others; removing fewer may be enough:\n");
     for (id, text) in list {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         out += &format!("  {}: {}\n", plain::line(&id), plain::line(&text));

@@ -18,6 +18,12 @@ const FREE: u64 = 20_000_000;
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
+    if args.scene.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
+        let name = args.scene.display();
+        return fail(&format!(
+            "{name} is not a program; `solve` takes a `.scene` file, and a layout to start from with --layout"
+        ));
+    }
     let stop = interrupt::stop();
     interrupt::within(args.time.map(|time| patience(Duration::from_secs_f64(time))));
     let output = args.output.clone().unwrap_or_else(|| args.scene.with_extension("layout.json"));

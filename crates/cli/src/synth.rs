@@ -233,12 +233,23 @@ fn early(
     Ok(GOOD)
 }
 
+/// Whether an argument is the name of a file rather than words: `bedroom.scen`, `rooms/bedroom`.
+fn is_name(argument: &str) -> bool {
+    let end = argument.rsplit('.').next().filter(|end| end.len() < argument.len());
+    let has_extension = end.is_some_and(|end| (1..=6).contains(&end.len()) && end.chars().all(char::is_alphanumeric));
+    !argument.contains(char::is_whitespace) && (has_extension || argument.contains('/'))
+}
+
 /// The program to build, and the request that it is to be written from, beside what comes of it.
 fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
     let named = PathBuf::from(&args.request);
     let is = |ends: &[&str]| named.extension().is_some_and(|e| ends.iter().any(|end| e == *end));
     if is(&["scene"]) && !args.request.contains(' ') || is(&["scene"]) && named.exists() {
         return Ok((named, None));
+    }
+    if !named.exists() && is_name(&args.request) {
+        let why = "a program ends in `.scene`, and a request is written in words";
+        return Err(format!("there is no file {}; {why}", args.request));
     }
     let request = if is(&["txt", "md"]) && named.exists() { formalize::text(&named)? } else { args.request.clone() };
     Ok((args.output.join("room.scene"), Some(request)))

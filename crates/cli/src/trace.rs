@@ -202,5 +202,5 @@ fn summary(trace: &Trace) -> String {
     };
     let colon = if counts.is_empty() { "" } else { ": " };
     let requirements = if s.requirements == 1 { "requirement" } else { "requirements" };
-    format!("{of}: {} {requirements}, {} of them inferred{colon}{}\n", s.requirements, s.inferred, counts.join(", "))
+    format!("{of}: {} {requirements} ({} inferred){colon}{}\n", s.requirements, s.inferred, counts.join(", "))
 }

@@ -181,8 +181,8 @@ pub fn read(name: &str, path: &Path, text: &str, file: FileId, beside: &Beside) 
     }
     let root = whole(text, file)?;
     let Some((root, kind)) = root.as_ref().and_then(|root| Some((root, kind_of(root)?))) else {
-        let say = "this is no file that can be imported: no house of AI2-THOR, no room or layout of LayoutVLM, no scene state";
-        let note = "scenelang explain W0505 says by what such files are known";
+        let say = "this file cannot be imported: it is not an AI2-THOR house, a LayoutVLM room or layout, or a SceneEval scene state";
+        let note = "`scenelang explain W0505` says how these formats are recognised";
         return Err(Box::new(Diagnostic::new(codes::E0502, TextRange::empty(0).in_file(file), say).note(note)));
     };
     let (at, sizes) = (At::root(root, file), &beside.sizes);

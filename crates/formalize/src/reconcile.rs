@@ -110,5 +110,5 @@ fn relax(draft: &mut Draft, program: &Program, find: Find<'_>) -> bool {
     let stated = Stated::new(draft, program);
     let given_up = find(&|constraint| stated.rank(draft, constraint));
     let preferences = given_up.into_iter().filter_map(|c| stated.of(c)).collect();
-    draft.prefer(preferences, "contradicts the rest, so it is kept as a preference")
+    draft.prefer(preferences, "contradicts the other statements, so it became a preference")
 }

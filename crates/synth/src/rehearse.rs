@@ -35,7 +35,8 @@ const GROWTH: f64 = 1.15;
 /// How often some of what was added is left out, before all of it is.
 const PATIENT: usize = 6;
 /// Why a statement became a preference.
-const REASON: &str = "no layout was found in which it holds with the rest, so it is only a preference";
+const REASON: &str =
+    "no layout was found that satisfies it together with the other statements, so it became a preference";
 
 /// How a trial ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -112,7 +112,7 @@ fn read_as(text: &str, file: FileId, own: bool) -> Result<Settings, Vec<Diagnost
         Ok(document) => reader.top(document.as_table()),
         Err(e) => {
             let message = e.message().lines().next().unwrap_or("it cannot be read");
-            reader.error(e.span(), format!("this is not valid TOML: {message}"));
+            reader.error(e.span(), format!("invalid TOML: {message}"));
         }
     }
     let Reader { settings, mut found, .. } = reader;

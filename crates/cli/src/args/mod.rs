@@ -36,13 +36,13 @@ pub enum Command {
     Solve(Solve),
     /// Repair a layout with the smallest change: move objects, or relax numbers and constraints
     Repair(Repair),
-    /// Write a program from a request in plain English, with or without a language model; every clause is accounted for
+    /// Write a program from a request in plain English, with or without a language model, and report which clauses were understood
     Formalize(Formalize),
     /// Build a furnished, verified scene: layout, Unity project, glTF, pictures and a web page
     Synth(Synth),
     /// Draw many verified layouts of a program uniformly at random, and report their distribution
     Sample(Sample),
-    /// Make a scene for each line of a manifest; finished lines are kept
+    /// Make a scene for each line of a manifest; a rerun skips the lines that are finished
     Batch(Batch),
     /// Work on one line of a manifest (started by `batch`)
     #[command(hide = true)]
@@ -56,7 +56,7 @@ pub enum Command {
     Import(Import),
     /// Format programs
     Fmt(Fmt),
-    /// Write a small program with comments to start from
+    /// Write a small commented program as a starting point
     New(New),
     /// Explain a code, predicate, function, property, setting or command, with examples
     Explain(Explain),
@@ -73,7 +73,7 @@ pub enum Command {
     Constraints(Inspect),
     /// Compare two layouts: what moved, and what holds in one but not in the other
     Diff(Diff),
-    /// Show the statements, objects and results that belong to each requirement, or the other way round
+    /// Show the statements, objects and results of each requirement, or the requirements of a statement or an object
     Trace(Trace),
     /// Show information about an object: declaration, requirements, pose, constraints and margins
     Query(Query),
@@ -90,7 +90,7 @@ pub enum Command {
     /// Measure how many problems are solved, and how fast
     #[command(subcommand)]
     Bench(Bench),
-    /// Evaluate the reader and the solver on requests with ground truth
+    /// Evaluate the translation of requests and the solver on requests with ground truth
     #[command(subcommand)]
     Eval(Eval),
 }
@@ -102,13 +102,13 @@ pub struct Check {
     /// and layouts from AI2-THOR, LayoutVLM and SceneEval (`house.json`), and folders that contain programs and layouts
     #[arg(required = true, value_name = "FILE | FOLDER")]
     pub files: Vec<PathBuf>,
-    /// The output format; with json, one report per line and file
+    /// The output format; json prints one report per file, each on one line
     #[arg(long, value_enum, default_value_t = Format::Human)]
     pub format: Format,
     /// How detailed the human-readable report is
     #[arg(long, value_enum, default_value_t = Verbosity::Full)]
     pub verbosity: Verbosity,
-    /// Also list physical rules that hold
+    /// Also list the statements and physical rules that hold, with their margins
     #[arg(long)]
     pub all: bool,
     /// How many violations to explain in full, with the smallest move that repairs them
@@ -123,7 +123,7 @@ pub struct Check {
     /// Apply the safe fixes to the programs first; for a layout, to its program
     #[arg(long)]
     pub fix: bool,
-    /// Also apply fixes that are only a good guess, such as "did you mean"; review the changes afterwards
+    /// Also apply fixes that may change the meaning of the program, such as "did you mean"; review the changes afterwards
     #[arg(long)]
     pub unsafe_fixes: bool,
     /// Check again whenever a file changes, until Ctrl-C
@@ -132,7 +132,7 @@ pub struct Check {
     /// How many files to check in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// The time limit for everything; files that are not checked in time count as not checked (exit code 2)
+    /// The time limit for everything; if some files are not checked in time, the exit code is 2
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub time: Option<f64>,
     /// Additional information about a file from another system
@@ -167,10 +167,10 @@ fn explain(text: &str) -> Result<scenelang_verify::Explain, String> {
 /// How a layout is checked. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct Judging {
-    /// The solid of an object: the convex parts of its asset, or its box [default: parts]
+    /// The shape of objects for collisions and clearances: the convex parts of their assets, or their bounding boxes [default: parts]
     #[arg(long, value_enum)]
     pub geometry: Option<Geometry>,
-    /// What P-OPEN requires to open: the doors of rooms and furniture, the doors of rooms only, or nothing [default: all]
+    /// Which doors the rule P-OPEN checks: those of rooms and furniture, those of rooms only, or none [default: all]
     #[arg(long, value_enum)]
     pub opens: Option<Opens>,
     /// Do not check the physical rules (collisions, bounds, support, doors that open)
@@ -182,7 +182,7 @@ pub struct Judging {
     /// Thickness of the walls of a room (metres) [default: 0.03]
     #[arg(long, value_name = "METRES", value_parser = settings::measure)]
     pub eta: Option<f64>,
-    /// A tolerance, such as `equal=0.002`; the names are those in reports; may be given several times
+    /// Override a tolerance, such as `equal=0.002` (for the names, see `tolerances` in a report); may be given several times
     #[arg(long = "tolerance", value_name = "NAME=VALUE", value_parser = settings::tolerance)]
     pub tolerances: Vec<(String, f64)>,
 }
@@ -214,7 +214,7 @@ pub enum Verbosity {
 /// `--opens`
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Opens {
-    /// Doors of rooms, and furniture as far as its use requires
+    /// The doors of rooms, and the doors and drawers of furniture that must open to be usable
     All,
     /// Doors of rooms
     Doors,
@@ -322,8 +322,7 @@ pub struct SearchOptions {
     /// Search N times as long as usual before giving up
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
-    /// The percentage of the usual work to spend on preferences once all hard constraints hold; 0 does not optimise
-    /// them
+    /// The work to spend on preferences once all hard constraints hold: 0 is none, 100 is five times the default
     #[arg(long, value_name = "PERCENT", default_value_t = scenelang_solve::QUALITY, value_parser = clap::value_parser!(u8).range(0..=100))]
     pub quality: u8,
 }
@@ -338,7 +337,7 @@ impl SearchOptions {
 /// A language model that proposes moves, for `solve` and `synth`. What is not given here comes from `scenelang.toml`.
 #[derive(ClapArgs, Debug, Clone, Default)]
 pub struct ModelOptions {
-    /// A language model that proposes moves: openai, anthropic, gemini, deepseek, ollama or compatible, each with `:NAME`;
+    /// The language model to use: openai, anthropic, gemini, deepseek, ollama or compatible, each with `:NAME`;
     /// `configured` for the one in scenelang.toml; `replay:FILE` for a recorded conversation; `none` [env: SCENELANG_MODEL]
     /// [default: none]
     #[arg(long, value_name = "PROVIDER:NAME")]

@@ -25,7 +25,7 @@ pub fn run(args: &View) -> u8 {
         return FAILED;
     };
     if !crate::room::layout_of(&args.file).exists() && !args.file.exists() {
-        eprintln!("error: there is no {}", args.file.display());
+        eprintln!("error: there is no file {}", args.file.display());
         return FAILED;
     }
     let shown = Arc::new(Shown::new(&args.file));

@@ -2,12 +2,12 @@
 //! beside the bed, the coffee table before the sofa. It waits for that, whether it is asked for, too, or comes with the
 //! room.
 
-use super::{FENCED, daylight};
 use super::groups::{self, Along, GroupPart, Where};
 use super::kinds::{Count, FurnishingKind, Line};
 use super::plan::{AtWall, Plan, for_people, why};
 use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
+use super::{FENCED, daylight};
 use crate::brief::Group;
 use crate::draft::{Demand, Draft, Statement, ThingOrigin};
 use crate::names::{mentions, words};

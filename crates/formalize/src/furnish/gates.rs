@@ -83,8 +83,7 @@ pub fn curtains(plan: &mut Plan) {
         let says = |text: &str| text.starts_with("near(") && text.contains(&at) && mentions(text, window);
         plan.draft.statements.iter().any(|s| says(&s.text))
     };
-    let is_here =
-        |o: &&Opening| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room) && !is_used(&o.name);
+    let is_here = |o: &&Opening| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room) && !is_used(&o.name);
     let windows: Vec<Opening> = plan.draft.openings.iter().filter(is_here).cloned().collect();
     let room = plan.draft.rooms[plan.room].size;
     let color = plan.turn;

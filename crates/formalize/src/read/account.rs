@@ -18,7 +18,7 @@ pub struct Account {
 
 /// Why there is a note on a word that nothing came of and that seems to change nothing.
 pub const BECAME_NOTHING: &str = "this word became nothing";
-const BECAME_NOTHING_MANY: &str = "these words became nothing";
+const BECAME_NOTHING_MANY: &str = "these words were not used";
 
 /// Accounts for the words. `used`: which tokens became part of the brief. `grammar`: which belong to verbs and the like
 /// and say nothing of their own. `noted`: what the reader has reported.

@@ -30,6 +30,7 @@ pub(crate) mod several;
 mod taken_back;
 mod talk;
 mod token;
+mod unknown;
 mod zones;
 
 use crate::brief::{Brief, MOST_GUIDED, Room, Word};
@@ -153,11 +154,12 @@ pub fn as_said(request: &str) -> Draft {
 /// A brief as a draft.
 pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     brief.bound();
+    let unknown = unknown::notes(&brief);
     let nothing = brief.words.iter().all(|word| !word.used) && brief.things.is_empty();
     let extent = if nothing || options.literal { Extent::Literal } else { Extent::Usual };
     let brief = complete(brief, extent);
     let mut draft = if extent == Extent::Usual { with_room_for_all(&brief) } else { compose(&brief) };
-    draft.notes.splice(0..0, brief.notes.iter().cloned());
+    draft.notes.splice(0..0, brief.notes.iter().cloned().chain(unknown));
     let people = brief.rooms.iter().find_map(|room| room.people);
     let people = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none()));
     if let (Extent::Literal, Some(people)) = (extent, people) {
@@ -167,7 +169,8 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     if extent == Extent::Usual {
         draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;
         if !draft.guided {
-            let reason = format!("with more than {MOST_GUIDED} objects the guidelines of the library are left out");
+            let reason =
+                format!("the program does not import the guidelines, because it has more than {MOST_GUIDED} objects");
             draft.notes.push(Note { at: 0..0, reason });
         }
     }

@@ -119,7 +119,7 @@ impl<'n, 'a> Checker<'n, 'a> {
     pub(super) fn expect(&mut self, id: ExprId, wanted: Ty, what: &str) {
         let ty = self.ty(id);
         if !ty.fits(wanted) {
-            let message = format!("{what} takes {wanted}, but this is {ty}");
+            let message = format!("{what} expects {wanted}, but this is {ty}");
             let d = Diagnostic::new(codes::E0301, Where::Here(self.range(id)), message);
             self.push(self.repaired(d, id, wanted, ty));
         }
@@ -409,7 +409,7 @@ impl<'n, 'a> Checker<'n, 'a> {
     pub(super) fn index_error(&mut self, name: &SmolStr, n: u32, range: TextRange) {
         let elements = if n == 1 { "one element".to_owned() } else { format!("{n} elements") };
         self.push(
-            Diagnostic::new(codes::E0205, Where::Here(range), format!("`{name}` has no such element"))
+            Diagnostic::new(codes::E0205, Where::Here(range), format!("this element of `{name}` does not exist"))
                 .label(format!("expected a whole number from 0 to {}", n - 1))
                 .related(Where::Item(name.clone()), format!("declared with {elements} here")),
         );
@@ -596,10 +596,15 @@ impl<'n, 'a> Checker<'n, 'a> {
         let end = self.range(id).end;
         let place = Where::Here(TextRange { start: end - length, end });
         if matches!(unit, UnitSuffix::Deg | UnitSuffix::Rad) {
-            return d.note("an angle is not a length").fix(Applicability::Unsafe, "remove the unit", place, "");
+            return d.note("a length is expected here, not an angle").fix(
+                Applicability::Unsafe,
+                "remove the unit",
+                place,
+                "",
+            );
         }
         d.note("expected degrees; a plain number such as `90` is read as degrees")
-            .fix(Applicability::Unsafe, "write degrees: `deg`", place.clone(), "deg")
+            .fix(Applicability::Unsafe, "replace the unit with `deg`", place.clone(), "deg")
             .fix(Applicability::Unsafe, "remove the unit", place, "")
     }
 

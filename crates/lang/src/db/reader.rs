@@ -143,7 +143,7 @@ impl<'a> Reader<'a> {
                 let message = format!("cannot import `{written}`: {}", plain(&e));
                 let found = Diagnostic::new(code_of(&e, codes::E0206), place, message);
                 self.found.push(if found.code == codes::E0206 {
-                    found.note("the path is relative to the folder of this file")
+                    found.note("the path is relative to the folder of this file, unless it begins with `std/`")
                 } else {
                     with_advice(found, &e)
                 });

@@ -178,7 +178,7 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
             kind => matches!(kind, ExprKind::Index(..)),
         };
         if one && self.same(*a, *b) {
-            finding(out, self.stmt.expr(*b).range, "an object is not checked against itself")
+            finding(out, self.stmt.expr(*b).range, "an object never collides with itself")
                 .notes
                 .push("name the two objects that may overlap".to_owned());
         }

@@ -260,6 +260,7 @@ fn unknown(slice: &str, range: TextRange, number: Option<Token>) -> Diagnostic<T
             diagnostic.fix(Applicability::Safe, "write an ordinary space", one, " ")
         }
         c if invisible(c) => diagnostic.fix(Applicability::Safe, "remove it", one, ""),
+        '{' if place.start == 0 => diagnostic.note("this looks like a layout; pass its program, a `.scene` file"),
         '{' | '}' => diagnostic.note("the language has no blocks; a statement ends with `;`"),
         '#' => diagnostic.note("a comment begins with `//`"),
         c if c.is_ascii() => diagnostic,

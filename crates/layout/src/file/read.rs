@@ -56,7 +56,7 @@ impl Reader<'_, '_> {
     /// Says that a value is of the wrong type, unless an error in it has been reported.
     pub(super) fn wrong<T>(&mut self, node: &JsonNode, what: &str, wanted: &str) -> Option<T> {
         if !node.is_spoilt() {
-            self.error(codes::E0504, node.range, format!("{what} takes {wanted}, not {}", node.kind()));
+            self.error(codes::E0504, node.range, format!("{what} must be {wanted}, not {}", node.kind()));
         }
         None
     }
@@ -65,7 +65,7 @@ impl Reader<'_, '_> {
         let Some(members) = root.members() else {
             if !root.is_spoilt() {
                 let at = TextRange { end: root.range.end.min(root.range.start + 1), ..root.range };
-                self.error(codes::E0502, at, format!("a layout file is an object, not {}", root.kind()));
+                self.error(codes::E0502, at, format!("a layout file must be a JSON object, not {}", root.kind()));
             }
             return None;
         };
@@ -301,7 +301,11 @@ impl Reader<'_, '_> {
         let found = find(members, key).map(|m| &m.node);
         if found.is_none() {
             let brace = TextRange::new(node.range.start as usize, node.range.start as usize + 1);
-            self.error(codes::E0503, brace, format!("{owner} has no `{key}`"));
+            // A member that nothing reads, under a longer name: `position`.
+            let is_like = |m: &&Member| m.key.len() > key.len() && m.key.starts_with(key);
+            let like = members.iter().find(is_like).map(|m| m.key.as_str());
+            let meant = like.map_or(String::new(), |like| format!("; `{like}` is not read"));
+            self.error(codes::E0503, brace, format!("{owner} has no `{key}`{meant}"));
         }
         found
     }
@@ -384,7 +388,7 @@ impl Reader<'_, '_> {
                 Some(Vec3::new(read[0]?, read[1]?, read[2]?))
             }
             Some(items) if !node.is_spoilt() => {
-                let say = format!("{what} takes three numbers, not {}", items.len());
+                let say = format!("{what} must have three numbers, not {}", items.len());
                 self.error(codes::E0504, node.range, say);
                 None
             }

@@ -297,7 +297,10 @@ impl<'a> Rules<'a> {
                     "the ceiling"
                 }
             });
-            format!("it extends beyond {place} of `{region_name}`, the nearest region, by {far} m more than allowed")
+            let name = self.name(id);
+            format!(
+                "`{name}` extends beyond {place} of `{region_name}`, the nearest region, by {far} m more than allowed"
+            )
         })
     }
 

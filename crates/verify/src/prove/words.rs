@@ -12,7 +12,7 @@ use scenelang_base::{Diagnostic, Span, codes};
 use scenelang_lang::program::Program;
 
 /// Of a contradiction that rests on what is usual.
-const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: rooms are assumed to be \
+const AS_USUAL: &str = "the proof assumes that rooms are not rotated, that objects are upright and have their usual sizes, and that each rests on the floor or on another object, as in the layouts that `solve` makes
     unrotated, and objects to stand upright on the floor, as `solve` places them";
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
@@ -48,7 +48,7 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         (None, []) => String::new(),
         (None, [one]) => format!(": {one}"),
         (None, [one, two]) => format!(": {one}, {two}"),
-        (None, [one, rest @ ..]) => format!(": {one}, and {} more rules are involved", rest.len()),
+        (None, [one, rest @ ..]) => format!(": {one}, together with {} other rules", rest.len()),
     };
     // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
     let speaks = |s: &usize| !of(*s).formula.objects().is_empty();
@@ -57,7 +57,7 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     members.extend(found.definitions.iter().map(|d| &program.definitions[*d]).map(|d| (d.span, d.text.as_str())));
     members.sort_by_key(|(span, _)| (span.file, span.range.start));
     let mut finding = match members.len() {
-        1 => Diagnostic::new(codes::E0402, of(main).span, format!("this can never hold{rules}")),
+        1 => Diagnostic::new(codes::E0402, of(main).span, format!("this statement can never hold{rules}")),
         n => Diagnostic::new(codes::E0401, of(main).span, format!("these {n} statements contradict each other{rules}")),
     };
     for (span, text) in members {

@@ -47,7 +47,7 @@ impl<'a> Words<'a> {
         if let Some(repair) = &explanation.repair {
             hints.push(format!("{}{}", move_in_words(program, repair), self.effect(repair, row, &name)));
         } else if explanation.searched {
-            notes.push("no repair that moves one object or a few was found".to_owned());
+            notes.push("no repair was found that moves only a few objects".to_owned());
         }
         if !explanation.pinned.is_empty() {
             let pins: Vec<String> = explanation.pinned.iter().map(name).collect();

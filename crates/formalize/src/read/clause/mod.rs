@@ -314,7 +314,8 @@ impl<'a> Reader<'a> {
         }
         for range in &unsaid {
             let at = self.bytes(range.clone());
-            let reason = "a word here changes the request in a way that no statement expresses".to_owned();
+            let reason =
+                "this part could not be translated, because no statement of the language expresses it".to_owned();
             self.brief.notes.push(Note { at, reason });
         }
         unsaid.extend(ruled_out);
