@@ -47,6 +47,7 @@ pub fn seats(brief: &mut Brief) {
     };
     // A couple does not sit at the desk of its bedroom, nor at its dressing table.
     let for_one = |i: &Thing| i.words.iter().any(|word| FOR_ONE.contains(&word.as_str()));
+    let seats_all = |i: &Thing| seats_all(i) || i.places.is_some();
     let works = |i: &Thing| i.places.is_none() && (i.words.last().is_some_and(|word| word == "desk") || for_one(i));
     let sat_at = |i: &Thing| i.words.last().is_some_and(|word| SAT_AT.iter().any(|end| word.ends_with(end)));
     let sits = |i: &Thing| i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i);

@@ -149,7 +149,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line) && !is_other(line));
     let line = lines.find(|line| stand::counts_as(line.noun, &noun)).or_else(|| received(plan, &noun));
     let own = line.map(|line| &line.place);
-    let is_table = stand::group(&it.category) == Group::Table;
+    let is_table = stand::group(&it.category) == Group::Table && !stand::is_treated_on(&noun);
     let in_rows = match own {
         Some(PlanPlace::Rows(toward)) => Some(*toward),
         // The desks of a team stand in groups.
@@ -197,7 +197,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         own_place.is_some_and(|line| matches!(line.place, PlanPlace::Before(_, 180.0) | PlanPlace::Service(_)));
     let has_back = stand::has_back(&it.category) && !apart && !is_served;
     let is_on_floor = stand::on_floor(plan.draft, &it);
-    let pair = plan.ground.is_some() && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing));
+    let pair = plan.ground.is_some()
+        && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing) || facing::is_set(plan, thing, 3));
     let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };
     // One reads in a corner where nobody else sits on soft seats.
     let is_soft = |line: &Line| line.noun.ends_with("sofa");
@@ -413,7 +414,8 @@ fn stand_as_pair(plan: &mut Plan, thing: usize, choice: &Choice) -> bool {
     let across = |floor: &Floor, shape: &Shape, before: &[Pose]| choice.floor(floor, shape, before, lengthwise);
     let beds = |floor: &Floor, shape: &Shape, _: &[Pose]| twin::at_wall(floor, shape, choice.size[2], choice.windows);
     facing::is_pair(plan, thing) && facing::stand_up(plan, thing, &wall)
-        || facing::is_couple(plan, thing) && facing::in_corner(plan, thing, &corner)
+        || facing::is_set(plan, thing, 2) && facing::in_corner(plan, thing, &corner)
+        || facing::is_set(plan, thing, 3) && facing::on_three_sides(plan, thing, &wall)
         || facing::is_pair_of_desks(plan, thing) && facing::desks(plan, thing, &across)
         || twin::is_pair(plan, thing) && twin::stand_up(plan, thing, &beds)
 }

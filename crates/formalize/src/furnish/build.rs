@@ -30,9 +30,10 @@ const WORKED_AROUND: [(&str, f64); 2] = [("table saw", 0.8), ("work table", 0.6)
 const HEARTH: f64 = 0.4;
 /// Behind the belt of a treadmill this much is free.
 const FALL: f64 = 0.9;
-/// What one lies on to be treated, and how much is free on both sides.
-const TREATED: [&str; 3] = ["treatment table", "massage table", "therapy table"];
+/// How much is free on both sides of what one lies on to be treated.
 const BESIDE_TABLE: f64 = 0.6;
+/// Beside what one trains on this much is free.
+const TRAINED: [(&str, f64); 2] = [("weight bench", 0.5), ("treadmill", 0.3)];
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
@@ -100,6 +101,11 @@ impl Building {
             // Who falls off it falls behind it.
             keep(0.0, (d + FALL) / 2.0, [w, 1.0, FALL]);
         }
+        if let Some((_, beside)) = TRAINED.iter().find(|(end, _)| noun.ends_with(end)) {
+            for side in [-1.0, 1.0] {
+                keep(side * (w + beside) / 2.0, 0.0, [*beside, 1.2, d]);
+            }
+        }
         if noun.ends_with("fireplace") {
             // Nothing that burns stands beside a fire.
             for side in [-1.0, 1.0] {
@@ -124,7 +130,7 @@ impl Building {
             for side in [-1.0, 1.0] {
                 keep(side * (w + BESIDE_BED) / 2.0, head / 2.0, [BESIDE_BED, 0.9, d - head]);
             }
-        } else if TREATED.iter().any(|end| noun.ends_with(end)) {
+        } else if stand::is_treated_on(noun) {
             // One works at both sides of who lies there.
             for side in [-1.0, 1.0] {
                 keep(side * (w + BESIDE_TABLE) / 2.0, 0.0, [BESIDE_TABLE, 0.9, d]);

@@ -7,7 +7,7 @@ use super::plan::{AtWall, Plan};
 use super::slots::{Level, Slot};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::{Demand, ThingOrigin};
+use crate::draft::{Demand, DraftThing, ThingOrigin};
 use crate::names::mentions;
 
 /// Between the fronts of two seats that face each other, with a low table between them (metres).
@@ -35,24 +35,60 @@ type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
 /// Whether a thing is such a pair: two that are said to face each other, or two sofas before a fire.
 pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let it = &plan.draft.things[thing];
-    let is_fire = |t: &crate::draft::DraftThing| t.room == Some(plan.room) && t.category.ends_with("fireplace");
-    if is_couple(plan, thing) && plan.draft.things.iter().any(is_fire) {
+    let has_fire = plan.draft.things.iter().any(|t| t.room == Some(plan.room) && is_fire(t));
+    if has_fire && is_set(plan, thing, 2) {
         return true;
     }
     let facing = format!("facing({}[2 * i], {}[", it.name, it.name);
     is_two(plan, thing, &facing, "") && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
 }
 
-/// Whether a thing is two sofas of which nothing is said.
-pub fn is_couple(plan: &Plan, thing: usize) -> bool {
+/// Whether a thing is so many sofas of which nothing is said, but that they are at a fire.
+pub fn is_set(plan: &Plan, thing: usize, count: usize) -> bool {
     let it = &plan.draft.things[thing];
     let is_sofa = ["sofa", "couch", "loveseat", "settee"].iter().any(|sofa| it.category.ends_with(sofa));
     let of_it = |s: &&crate::draft::Statement| mentions(&s.text, &it.name);
-    let is_about = |text: &str| !text.contains("inside(") && !text.contains("onFloor(");
+    let fires: Vec<&str> = plan.draft.things.iter().filter(|t| is_fire(t)).map(|t| t.name.as_str()).collect();
+    // Who sits around a fire sits around the table before it.
+    let at_fire = |text: &str| fires.iter().any(|fire| mentions(text, fire));
+    let is_about = |text: &str| !text.contains("inside(") && !text.contains("onFloor(") && !at_fire(text);
     let said = plan.draft.statements.iter().filter(of_it);
     let mut said = said.filter(|s| matches!(s.source, ThingOrigin::Stated(_)) && is_about(&s.text));
     let l_shaped = it.look.features.iter().any(|feature| feature.contains("shaped"));
-    it.count == 2 && is_sofa && !l_shaped && !it.category.contains("corner") && said.next().is_none()
+    it.count == count && is_sofa && !l_shaped && !it.category.contains("corner") && said.next().is_none()
+}
+
+fn is_fire(thing: &DraftThing) -> bool {
+    thing.category.ends_with("fireplace")
+}
+
+/// Gives three sofas a place around a low table, the first one where `seek` finds one. Whether there is one.
+pub fn on_three_sides(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let Some([w, _, d]) = it.size else { return false };
+    let low = Plan::size(TABLE);
+    let middle = d / 2.0 + REACH + low[2] / 2.0;
+    let beside = w / 2.0 + CORNER + d / 2.0;
+    let at_side = |side: f64| Pose { x: side * beside, z: d / 2.0 + CORNER + w / 2.0, yaw: -side * 90.0, y: 0.0 };
+    let frames = vec![Pose::default(), at_side(-1.0), at_side(1.0)];
+    let before = Pose { z: middle, yaw: 180.0, y: 0.05, ..Pose::default() };
+    let free = vec![(before, [w, 1.0, low[2]])];
+    let root = Root { n: 1, frames: frames.clone(), wall: AtWall::No, free, whole: false, seek };
+    if !plan.place_asked(thing, &root) {
+        return false;
+    }
+    off_walls(plan, &it.name);
+    let first = format!("{}[0]", it.name);
+    for (i, at) in frames.iter().enumerate().skip(1) {
+        let slot = Slot { x: at.x, z: at.z, level: Level::Floor, yaw: at.yaw.rem_euclid(360.0) };
+        let other = format!("{}[{i}]", it.name);
+        plan.say(
+            format!("assert {};", place::fixed(&other, &first, &slot, 0.0, 0.0)),
+            "three sofas stand around a table",
+        );
+    }
+    table(plan, &first, middle);
+    true
 }
 
 /// Gives two sofas a place in a corner, at right angles, the first one where `seek` finds one. Whether there is one.

@@ -212,6 +212,10 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| plural && thing.name() == "bunk bed") {
         return Some(people.div_ceil(2));
     }
+    // "Monitors" of four beds are four.
+    if let Some(each) = at_anchors(brief, at, kind).filter(|_| plural) {
+        return Some(each);
+    }
     // "Cushions" in a tea house: as many as there are places at its tables.
     if let Some(places) = at_tables(brief, at, kind).filter(|_| plural) {
         return Some(places);
@@ -235,6 +239,22 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     });
     let usual = own.and_then(|line| usual_number(brief, at, kind, line, plural));
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
+}
+
+/// How many of a thing there are that each of several others has one of, in such a room.
+fn at_anchors(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
+    let meant = |name: String| match kind.means.iter().find(|(said, _)| *said == name) {
+        Some((_, noun)) => (*noun).to_owned(),
+        None => name,
+    };
+    let noun = meant(brief.things[at].name());
+    let others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == brief.things[at].room);
+    let has_one = |other: usize| {
+        let parts = groups::of(&meant(brief.things[other].name()), kind.dress);
+        let mut like = parts.iter().filter(|part| part.noun == noun && stand::group(part.noun) != Group::Seat);
+        matches!((like.next(), like.next()), (Some(_), None))
+    };
+    others.filter(|other| brief.count(*other) > 1 && has_one(*other)).map(|other| brief.count(other)).next()
 }
 
 /// "Chairs" at one desk are so many at least.
@@ -321,7 +341,12 @@ fn usual_number(
             Some((people / each).ceil().max(2.0) as usize)
         }
         kinds::Count::Area(each)
-            if rows || plural && matches!(line.place, kinds::PlanPlace::Run | kinds::PlanPlace::Wall) =>
+            if rows
+                || plural
+                    && matches!(
+                        line.place,
+                        kinds::PlanPlace::Run | kinds::PlanPlace::Wall | kinds::PlanPlace::Hung
+                    ) =>
         {
             Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize)
         }
@@ -383,6 +408,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
         draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();
     closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
     if draft.rooms.len() == 1 {
+        closed.extend(places_elsewhere(draft, brief, 0));
         return extent::furnish(draft, brief, 0, &closed);
     }
     for at in 0..draft.rooms.len() {
@@ -391,12 +417,27 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
         let own = own.filter(|thing| !is_among_more(draft, brief, thing));
         let mut closed: Vec<String> = own.map(|thing| thing.category.replace('_', " ")).collect();
         closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
+        closed.extend(places_elsewhere(draft, brief, at));
         // Clothes hang in the room for clothes.
         if has_closet(draft, at) {
             closed.push("wardrobe".to_owned());
         }
         extent::furnish(draft, brief, at, &closed);
     }
+}
+
+/// The tables and desks for each that such a room has, where most of its people sit at a table that is asked for: "a
+/// classroom with a table for fifteen".
+fn places_elsewhere(draft: &Draft, brief: &Brief, at: usize) -> Vec<String> {
+    let Some(kind) = kinds::of(&draft.rooms[at].kind) else { return Vec::new() };
+    let people = brief.rooms.get(at).and_then(|room| room.people).map_or(kind.people, |people| people as f64);
+    let here = brief.things.iter().filter(|thing| thing.room == at && thing.group == Group::Table);
+    let most = here.filter_map(|thing| thing.places).max().unwrap_or(0) as f64;
+    let for_each = kind
+        .lines
+        .iter()
+        .filter(|line| matches!(line.count, kinds::Count::People(_)) && stand::group(line.noun) == Group::Table);
+    for_each.filter(|_| 2.0 * most >= people).map(|line| line.noun.to_owned()).collect()
 }
 
 /// Whether what matters most in a room of this kind has a planned place, where it is there and such rooms have it at a wall: of a

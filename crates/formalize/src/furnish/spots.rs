@@ -60,8 +60,12 @@ pub(super) fn watched_from(plan: &Plan) -> Option<Pose> {
         (0..seat.count).filter_map(|i| plan.place_in_room(&format!("{}[{i}]", seat.name))).collect();
     let first = *places.first()?;
     match places[..] {
-        // Of two in a corner, from the first.
-        [one, other] if (one.yaw - other.yaw).rem_euclid(180.0) == 90.0 => return Some(one),
+        // Of two in a corner, and of three around a table, from the first.
+        [one, ref others @ ..]
+            if !others.is_empty() && others.iter().all(|other| (one.yaw - other.yaw).rem_euclid(180.0) == 90.0) =>
+        {
+            return Some(one);
+        }
         _ if places.iter().any(|p| p.yaw != first.yaw) => return None,
         _ => {}
     }

@@ -247,6 +247,11 @@ pub fn played_at(category: &str) -> Option<f64> {
     (noun.stands == Stands::Floor && noun.access > PLAYED).then_some(noun.access)
 }
 
+/// Whether one lies on it to be treated.
+pub fn is_treated_on(noun: &str) -> bool {
+    ["treatment table", "massage table", "therapy table"].iter().any(|end| noun.ends_with(end))
+}
+
 /// Whether something asked for stands on a thing.
 pub fn loaded(draft: &Draft, thing: usize) -> bool {
     let name = &draft.things[thing].name;

@@ -24,6 +24,7 @@ const WHOLE: [&str; 4] = ["living", "lounge", "kitchen", "dining"];
 
 /// Turns several rooms that are said to be one into the first of them, with what the others have.
 pub fn plain(tokens: &mut Vec<Token>) {
+    one_room(tokens);
     open_kitchen(tokens);
     let mut i = 0;
     while i < tokens.len() {
@@ -31,6 +32,37 @@ pub fn plain(tokens: &mut Vec<Token>) {
         if let Some(words) = ONE.iter().find(said) {
             let first = i + words.len();
             merge(tokens, i, first);
+        }
+        i += 1;
+    }
+}
+
+/// "A loft with a living area and a sleeping area": a loft is one room, and these are what stands there.
+fn one_room(tokens: &mut Vec<Token>) {
+    const AREAS: [(&str, &[&str]); 11] = [
+        ("living", &["a", "sofa"]),
+        ("lounge", &["a", "sofa"]),
+        ("seating", &["a", "sofa"]),
+        ("kitchen", &["a", "kitchen", "counter"]),
+        ("cooking", &["a", "kitchen", "counter"]),
+        ("dining", &["a", "dining", "table"]),
+        ("sleeping", &["a", "bed"]),
+        ("bed", &["a", "bed"]),
+        ("work", &["a", "desk"]),
+        ("working", &["a", "desk"]),
+        ("office", &["a", "desk"]),
+    ];
+    let Some(home) = tokens.iter().position(|t| t.is("loft") || t.is("studio")) else { return };
+    let mut i = home + 1;
+    while i < tokens.len() {
+        let adjective = usize::from(matches!(word(tokens, i + 1), "open" | "separate" | "small" | "large"));
+        let name = word(tokens, i + 1 + adjective).to_owned();
+        let placed = matches!(word(tokens, i + 2 + adjective), "area" | "space" | "zone" | "corner" | "nook");
+        let open = adjective > 0 && word(tokens, i + 1) == "open" && name == "kitchen";
+        if let (true, Some((_, has))) =
+            (matches!(word(tokens, i), "a" | "an") && (placed || open), AREAS.iter().find(|(area, _)| *area == name))
+        {
+            put(tokens, i, i + 2 + adjective + usize::from(placed), has);
         }
         i += 1;
     }
@@ -110,6 +142,10 @@ mod tests {
             ("an open-plan office", "an open-plan office"),
             ("an open plan kitchen", "an open plan kitchen"),
             ("a living room and a kitchen", "a living room and a kitchen"),
+            (
+                "a loft with an open kitchen, a dining area and a living area",
+                "a loft with a kitchen counter , a dining table and a sofa",
+            ),
             ("a flat with an open kitchen", "a flat with a living room with a kitchen counter"),
         ] {
             let mut tokens = token::tokens(text, 100).0;

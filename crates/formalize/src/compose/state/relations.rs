@@ -10,6 +10,8 @@ pub(super) const NEAR: f64 = 1.0;
 /// How far away what stands in front of a door or a window is at most, in metres: there is room to open it.
 pub(super) const BEFORE: f64 = 1.4;
 /// How far a seat is from its table.
+/// How far the seats around a fire are from it at most (metres).
+const BY_FIRE: f64 = 3.2;
 pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far apart things are that stand across from each other, at least.
 pub(in crate::compose) const ACROSS: f64 = 1.5;
@@ -172,6 +174,14 @@ impl Named<'_> {
             _ => None,
         });
         let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
+        if seat && m == 1 && n > 1 && self.array(a) && self.brief.things[b].name().ends_with("fireplace") {
+            // It is at a wall: one of the seats is before it, the others are on both sides.
+            out.push(format!("{verb} forall a in {of}: near(a, {to}, {});", number(BY_FIRE)));
+            if n > 2 {
+                out.push(format!("{verb} exists a in {of}: looksAt(a, {to});"));
+            }
+            return;
+        }
         if m == 1 && n > 1 && self.array(a) {
             out.push(format!("{verb} around({of}, {to}, {});", number(d)));
         } else if self.array(a) && self.array(b) && n % m == 0 && n > m && n / m <= 8 {
