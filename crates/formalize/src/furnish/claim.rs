@@ -21,6 +21,8 @@ const VISITOR: f64 = 0.4;
 /// Before an L-shaped desk or sofa, for what is said to look at it (metres).
 const FACING: f64 = 0.05;
 const SECOND: f64 = 0.25;
+/// A rug that is asked for and smaller than what is on it asks for.
+const SMALLER: &str = "small rug";
 /// What is fenced in is so near to its fence (metres).
 const WITHIN: f64 = 0.8;
 
@@ -35,7 +37,10 @@ impl Plan<'_> {
         deep: usize,
         taken: &mut Vec<Taken>,
     ) -> bool {
-        let left_out = self.building.as_ref().is_none_or(|group| group.skip.contains(&part.noun));
+        // A rug for which there is no room becomes a smaller one first.
+        let skips = |noun| self.building.as_ref().is_none_or(|group| group.skip.contains(&noun));
+        let smaller = matches!(part.at, Where::Under(..)) && skips(part.noun) && !skips(SMALLER);
+        let left_out = skips(part.noun) && !smaller;
         let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
         if !is_claimed(part) || left_out || around && self.is_at_wall(&self.draft.things[thing].name) {
             return false;
@@ -58,7 +63,10 @@ impl Plan<'_> {
         if matches!(part.at, Where::Under(..)) {
             // A rug of which no size is said is as large as what is on it asks for.
             let usual = Self::size(part.noun);
-            let size = if [own[0], own[2]] == [usual[0], usual[2]] { self.fitted(thing, part, of).0 } else { own };
+            let mut size = if [own[0], own[2]] == [usual[0], usual[2]] { self.fitted(thing, part, of).0 } else { own };
+            if smaller {
+                size = [(of[0] + size[0]) / 2.0, size[1], (of[2] + size[2]) / 2.0];
+            }
             if !self.has_room_for_rug(size) {
                 return false;
             }
@@ -98,7 +106,8 @@ impl Plan<'_> {
         let height = self.draft.rooms[self.room].size[1];
         let why = why(&anchor.category.replace('_', " "), part.noun, &part.at);
         if let Some(group) = &mut self.building {
-            group.add(thing, asked, &places, (part.noun, own, &part.at), height);
+            let noun = if smaller { SMALLER } else { part.noun };
+            group.add(thing, asked, &places, (noun, own, &part.at), height);
         }
         if own[1] >= FLAT {
             taken.extend(places.iter().map(|slot| Taken::by(slot, foot)));

@@ -135,6 +135,11 @@ impl FurnishingKind {
         matches!(self.name, "dining room" | "kitchen diner")
     }
 
+    /// Whether people sit in rows and look to the back of the room.
+    pub fn is_taught(&self) -> bool {
+        self.lines.iter().any(|line| line.place == PlanPlace::Rows(true))
+    }
+
     /// Whether a television hangs across from the bed.
     pub fn has_hung_screen(&self) -> bool {
         let hangs = self.lines.iter().any(|line| line.noun == "tv" && line.place == PlanPlace::Hung);

@@ -120,6 +120,7 @@ pub fn refine(brief: &mut Brief) {
     whom::children(brief);
     whom::pupils(brief);
     whom::instruments(brief);
+    bedside_lamps(brief);
     named(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
@@ -167,6 +168,22 @@ pub fn refine(brief: &mut Brief) {
             if let Some((_, group)) = crate::read::lexicon::get().noun_ending(&brief.things[at].words) {
                 brief.things[at].group = group;
             }
+        }
+    }
+}
+
+/// "A bedroom with two lamps": on the nightstands.
+fn bedside_lamps(brief: &mut Brief) {
+    for at in 0..brief.things.len() {
+        let thing = &brief.things[at];
+        let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
+        let sleeps = kind.is_some_and(|kind| matches!(kind.name, "bedroom" | "hotel room"));
+        let is_told = |fact: &Fact| fact.of.contains(&at) || fact.what.objects().unwrap_or_default().contains(&at);
+        if sleeps && thing.words == ["lamp"] && brief.count(at) == 2 && !brief.facts.iter().any(is_told) {
+            let thing = &mut brief.things[at];
+            thing.words.insert(0, "bedside".into());
+            thing.last = 2;
+            thing.group = Group::Top;
         }
     }
 }

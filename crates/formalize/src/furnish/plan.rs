@@ -135,7 +135,7 @@ impl<'a> Plan<'a> {
 
     /// Whether rows of people look to the back of the room.
     pub fn is_taught(&self) -> bool {
-        self.kind.lines.iter().any(|line| line.place == PlanPlace::Rows(true))
+        self.kind.is_taught()
     }
 
     /// Square metres.
@@ -283,13 +283,17 @@ impl<'a> Plan<'a> {
                 matches!(part.at, Where::Top(..)) && self.draft.things[thing].size.is_some_and(|s| s[1] > HIGH);
             if !roofed && matches!(part.at, Where::Over)
                 || is_high && !KEPT_HIGH.iter().any(|end| part.noun.ends_with(end))
-                || self.counted < part.least
                 || on_top && loaded
                 || hung && (wall == AtWall::No || is_under_window)
             {
                 continue;
             }
-            self.part(thing, part, wall, deep, &mut taken);
+            // What is asked for has its place in a small room, too.
+            if self.counted < part.least {
+                self.claim(thing, part, wall, deep, &mut taken);
+            } else {
+                self.part(thing, part, wall, deep, &mut taken);
+            }
         }
     }
 

@@ -12,8 +12,8 @@ use scenelang_base::{Diagnostic, Span, codes};
 use scenelang_lang::program::Program;
 
 /// Of a contradiction that rests on what is usual.
-const AS_USUAL: &str = "the proof assumes that rooms are not rotated, that objects are upright and have their usual sizes, and that each rests on the floor or on another object, as in the layouts that `solve` makes
-    unrotated, and objects to stand upright on the floor, as `solve` places them";
+const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: the proof assumes that \
+    rooms are not rotated, and that objects are upright and rest on the floor or on each other, as in layouts that `solve` makes";
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();

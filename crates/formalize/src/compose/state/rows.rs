@@ -4,6 +4,7 @@ use super::relations::{AROUND, DRAWN_UP};
 use super::{Named, indexed};
 use crate::brief::{FactKind, Group, Op, Pattern, Place, Rel};
 use crate::compose::grid::{self, Grid};
+use crate::furnish::kinds;
 use crate::write::number;
 
 /// What furniture has doors, drawers or lids, by its last word: of other things nothing opens, whatever a request says.
@@ -282,7 +283,10 @@ impl Named<'_> {
                 "assert (forall i in 0..{k}: {of}[i].rot = rot(0, {first}, 0)) and forall i in {k}..{n}: {of}[i].rot = rot(0, {second}, 0);"
             )
         } else {
-            format!("{of}.rot <- rot(0, 0, 0);")
+            // Who sits at a desk in a classroom sees the board, across the desk.
+            let room = self.brief.rooms.get(self.brief.things[a].room).and_then(|room| kinds::of(&room.name));
+            let taught = room.is_some_and(|kind| kind.is_taught()) && self.group(a) == Group::Table;
+            format!("{of}.rot <- rot(0, {}, 0);", if taught { 180 } else { 0 })
         })
     }
 
