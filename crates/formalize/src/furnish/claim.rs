@@ -116,7 +116,9 @@ impl Plan<'_> {
         if matches!(part.at, Where::Enclose(..)) {
             self.fenced(&anchor.name, &it.name);
         }
-        if let Some(group) = self.building.as_mut().filter(|_| stand::group(part.noun) == Group::Seat) {
+        // A bench is at one side of a table: chairs are at the others.
+        let is_seat = stand::group(part.noun) == Group::Seat && part.noun != "bench";
+        if let Some(group) = self.building.as_mut().filter(|_| is_seat) {
             group.seated.push(thing);
         }
         self.fix(thing, asked, &places, height, &why);

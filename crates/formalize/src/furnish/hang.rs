@@ -16,6 +16,8 @@ use crate::names::words;
 
 /// A table that is as long has its lamps over it (metres).
 const LONG: f64 = 1.5;
+/// What has its lamps over it, too.
+const LIT: [&str; 2] = ["island", "breakfast_bar"];
 /// So many lamps hang in a line over a table, or along the room.
 const LAMPS: usize = 4;
 /// The most that are hung one by one.
@@ -49,9 +51,16 @@ fn lamps(plan: &mut Plan, it: &DraftThing, y: f64) {
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let tables = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.count == 1);
     let long = |size: [f64; 3]| size[0].max(size[2]);
-    let mut tables =
-        tables.filter(|t| stand::group(&t.category) == Group::Table && t.size.is_some_and(|s| long(s) > LONG));
-    let table = tables.find_map(|t| Some((plan.place_in_room(&t.name)?, t.size?))).filter(|_| it.count > 1);
+    let is_lit = |t: &&DraftThing| {
+        let noun = t.category.replace('_', " ");
+        !noun.ends_with("kitchen counter")
+            && (stand::group(&noun) == Group::Table || LIT.iter().any(|end| noun.ends_with(end)))
+    };
+    let mut tables: Vec<&DraftThing> =
+        tables.filter(is_lit).filter(|t| t.size.is_some_and(|s| long(s) > LONG)).collect();
+    // First what one stands or sits at in mid-room.
+    tables.sort_by_key(|t| !LIT.iter().any(|end| t.category.ends_with(end)));
+    let table = tables.into_iter().find_map(|t| Some((plan.place_in_room(&t.name)?, t.size?))).filter(|_| it.count > 1);
     let (middle, length) = match table {
         Some((at, size)) if size[2] > size[0] => (Pose { yaw: at.yaw + 90.0, ..at }, size[2]),
         Some((at, size)) => (at, size[0]),
@@ -62,8 +71,12 @@ fn lamps(plan: &mut Plan, it: &DraftThing, y: f64) {
         let along = (i as f64 + 0.5) * step - length / 2.0;
         let at = middle.then(&Pose { x: along, ..Pose::default() });
         let name = if it.count > 1 { format!("{}[{i}]", it.name) } else { it.name.clone() };
-        place::absolute(&name, &plan.room_name(), [at.x, y, at.z], 0.0)
+        (name, Pose { y, yaw: 0.0, ..at })
     });
+    let each: Vec<(String, Pose)> = each.collect();
+    each.iter().for_each(|(name, at)| plan.note_place(name, at));
+    let room = plan.room_name();
+    let each = each.iter().map(|(name, at)| place::absolute(name, &room, [at.x, at.y, at.z], 0.0));
     let text = format!("prefer {};", each.collect::<Vec<_>>().join(" and "));
     plan.say(text, if it.count > 1 { "lamps hang in a line" } else { "it hangs above the middle of the room" });
 }

@@ -44,8 +44,25 @@ pub struct Listed {
 }
 
 /// What one lives in, as a whole.
-const HOMES: [&str; 11] =
-    ["flat", "apartment", "house", "home", "penthouse", "cottage", "condo", "bungalow", "cabin", "unit", "maisonette"];
+const HOMES: [&str; 17] = [
+    "flat",
+    "apartment",
+    "house",
+    "home",
+    "penthouse",
+    "cottage",
+    "condo",
+    "bungalow",
+    "cabin",
+    "unit",
+    "maisonette",
+    "townhouse",
+    "duplex",
+    "farmhouse",
+    "chalet",
+    "villa",
+    "mansion",
+];
 /// Parts of a room that are no rooms where they are listed as what a room has.
 const PARTS: [&str; 8] = ["area", "nook", "corner", "space", "alcove", "zone", "place", "interior"];
 /// Words for a room that only one other leads to.

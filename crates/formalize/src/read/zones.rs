@@ -22,8 +22,24 @@ const PLAIN: [&str; 6] = ["separate", "dedicated", "designated", "distinct", "de
 /// What follows a part that is a room of its own, or of which something else is told.
 const OWN: [&str; 5] = ["of", "measuring", "is", "are", "that"];
 /// Homes have rooms by these names.
-pub(super) const HOMES: [&str; 10] =
-    ["apartment", "flat", "house", "condo", "cabin", "cottage", "bungalow", "penthouse", "villa", "loft"];
+pub(super) const HOMES: [&str; 16] = [
+    "apartment",
+    "flat",
+    "house",
+    "condo",
+    "cabin",
+    "cottage",
+    "bungalow",
+    "penthouse",
+    "villa",
+    "loft",
+    "townhouse",
+    "duplex",
+    "maisonette",
+    "farmhouse",
+    "chalet",
+    "mansion",
+];
 /// The most words of a room's name.
 const LONGEST: usize = 4;
 
