@@ -126,14 +126,15 @@ pub fn check(args: &AssetsCheck) -> u8 {
         Some(Severity::Error) => FAILED,
     };
     let worst = checked.iter().map(|c| code(&c.findings)).max().unwrap_or(GOOD);
-    let (total, good) = (checked.len(), checked.iter().filter(|c| c.findings.is_empty()).count());
+    let (total, bad) = (checked.len(), checked.iter().filter(|c| !c.findings.is_empty()).count());
     // `./chair.glb` would look odd in a report.
     let here = args.folder == Path::new(".");
     let name = |file: &str| if here { file.to_owned() } else { args.folder.join(file).display().to_string() };
     if args.format == AssetsFormat::Human {
         let lines = |c: &Found| -> String { c.findings.iter().map(|d| in_words(&name(&c.file), d)).collect() };
         out::show(&checked.iter().map(lines).collect::<String>());
-        out::show(&format!("{folder}: {good} of {total} models have no findings\n"));
+        let models = if total == 1 { "model" } else { "models" };
+        out::show(&format!("{folder}: {total} {models} checked, {bad} with findings\n"));
         return worst;
     }
     let judged = |c: Found| Checked::refused(&name(&c.file), SourceMap::new(), c.findings, &Options::default());

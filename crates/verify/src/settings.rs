@@ -412,7 +412,7 @@ mod tests {
             assert_eq!(said(text), wanted, "{text}");
         }
         assert!(
-            said("eta = ").starts_with("1:") && said("eta = ").contains("this is not valid TOML"),
+            said("eta = ").starts_with("1:") && said("eta = ").contains("invalid TOML"),
             "{}",
             said("eta = ")
         );

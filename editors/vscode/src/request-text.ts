@@ -44,7 +44,7 @@ export function marked(request: string, outcome: Outcome): Marked {
   const mark = ({ bytes: [from, to] }: Piece, fate: Fate, said: string, lines: readonly string[] = []): Mark => ({ start: at(from), end: at(to), fate, said, lines });
   const marks = [
     ...outcome.read.map((clause) => mark(clause, clause.understood ? "became" : "lost", clause.understood ? "This became:" : "This was not understood.", clause.became)),
-    ...outcome.words.unused.map((word) => mark(word, "lost", `“${word.text}” became nothing.`)),
+    ...outcome.words.unused.map((word) => mark(word, "lost", `“${word.text}” was not used.`)),
     ...outcome.notes.map((note) => mark(note, "noted", note.reason)),
   ];
   // A blank becomes the end of a line, so that places stay what they are.

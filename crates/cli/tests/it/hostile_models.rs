@@ -240,7 +240,7 @@ fn numbers() -> Vec<Case> {
         Case {
             name: "tokens beyond numbers",
             workspace: "[llm]\nmax_tokens = 99999999999999999999\n",
-            said: "this is not valid TOML",
+            said: "invalid TOML",
             ..wrong
         },
         Case {

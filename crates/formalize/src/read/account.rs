@@ -17,7 +17,7 @@ pub struct Account {
 }
 
 /// Why there is a note on a word that nothing came of and that seems to change nothing.
-pub const BECAME_NOTHING: &str = "this word became nothing";
+pub const BECAME_NOTHING: &str = "this word was not used";
 const BECAME_NOTHING_MANY: &str = "these words were not used";
 
 /// Accounts for the words. `used`: which tokens became part of the brief. `grammar`: which belong to verbs and the like

@@ -178,7 +178,7 @@ impl Named<'_> {
                 out.push(format!("{verb} forall a in {of}: forall b in {to}: dot(b.center - a.center, a.front) >= 0;"));
             }
             // Who sits at a desk that faces the window looks out of it, across the desk.
-            Rel::Facing if gb == Group::Window && self.sat_at(a) => {
+            Rel::Facing if gb == Group::Window && self.counts[a] == 1 && self.counts[b] == 1 && self.sat_at(a) => {
                 out.push(format!("{verb} {};", pairs(&far(AT_WINDOW))));
                 out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})"))));
             }
