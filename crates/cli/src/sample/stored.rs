@@ -4,10 +4,12 @@
 use super::piece::{Piece, Record, record};
 use super::{file_of, stem_of};
 use crate::args::Shard;
+use scenelang_base::door::Door;
 use scenelang_base::owned::{self, Change};
 use scenelang_lang::{Compiled, Program};
 use scenelang_sample::Drawn;
 use serde::{Deserialize, Serialize};
+use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -87,6 +89,7 @@ impl Store<'_> {
     /// # Errors
     /// What the file system says.
     pub fn clear(&self, end: u64) -> Result<(), String> {
+        let door = Door::within(self.folder);
         let is_other = |record: &Record| self.origin != &record.head.origin || record.head.end > end;
         for (name, record) in records(self.folder).into_iter().filter(|(_, record)| is_other(record)) {
             let range = record.head.first..record.head.end;
@@ -94,6 +97,12 @@ impl Store<'_> {
             for index in range.clone().filter(|_| !record.head.exported.is_empty()) {
                 let folder = self.folder.join(stem_of(index));
                 remove(&folder, &below(&folder))?;
+                // The list of its files is left; a folder in which something else is left stays.
+                let list = folder.join(owned::LIST);
+                let is_empty = list.metadata().is_ok_and(|list| list.len() == 0);
+                if is_empty && door.permits(&list).is_ok() && fs::remove_file(list).is_ok() {
+                    let _ = fs::remove_dir(&folder);
+                }
             }
             remove(self.folder, &[file_of(&range).into()])?;
             remove(self.folder, &[name.into()])?;

@@ -257,6 +257,8 @@ fn a_line_has_its_time_and_a_failed_one_is_tried_again_on_demand() {
     let line =
         format!("{{\"name\": \"long\", \"effort\": 1000, \"source\": {}}}", serde_json::to_string(&hopeless).unwrap());
     fs::write(folder.path().join("jobs.jsonl"), line + "\n{\"name\": \"short\", \"source\": \"object a;\"}").unwrap();
+    // The second line has all the time that it needs, however busy the machine is.
+    assert_eq!(batch(folder.path(), &["-o", "out", "--shard", "1/2"]).code, 0);
     let ended = batch(folder.path(), &["-o", "out", "--time", "0.5"]);
     assert_eq!(ended.code, 1, "{ended:?}");
     assert!(ended.stdout.contains("line 1 (long)") && ended.stdout.contains("0.5 s"), "{ended:?}");
