@@ -212,7 +212,7 @@ fn all_alike(counts: impl Fn(usize) -> [usize; 2] + Sync) {
     };
     std::thread::scope(|scope| {
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        (0..threads).for_each(|_| drop(scope.spawn(&labour)));
+        (0..threads).for_each(|_| drop(scope.spawn(labour)));
     });
     let failed = failed.into_inner().expect("nobody panics while holding it");
     assert!(failed.len() <= 1, "{failed:?}");
