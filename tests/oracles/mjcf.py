@@ -1,4 +1,5 @@
-"""Loads an MJCF file with the physics engine MuJoCo and lets time pass: nothing overlaps, and everything stays where it is.
+"""Loads an MJCF file with the physics engine MuJoCo and lets time pass: nothing overlaps, everything stays where it is, and
+doors and drawers stay closed.
 
 usage: mjcf.py FILE.mjcf.xml FILE.mjcf.json [--seconds 2]
 
@@ -14,6 +15,7 @@ import numpy as np
 
 OVERLAP = 0.002  # metres two shapes may share, at the beginning and at the end
 DRIFT = 0.02  # metres a body may move while it settles
+AJAR = {int(mujoco.mjtJoint.mjJNT_HINGE): np.radians(1), int(mujoco.mjtJoint.mjJNT_SLIDE): 0.005}  # how far a joint may open
 
 
 def deepest(model, data):
@@ -60,17 +62,23 @@ def main():
     before = deepest(model, data)
     start = data.xpos.copy()
     far = np.zeros(model.nbody)
+    joints = [i for i in range(model.njnt) if int(model.jnt_type[i]) in AJAR]
+    where = model.jnt_qposadr[joints]
+    closed, ajar = data.qpos[where].copy(), np.zeros(len(joints))
     for _ in range(round(given.seconds / model.opt.timestep)):
         mujoco.mj_step(model, data)
         far = np.maximum(far, np.linalg.norm(data.xpos - start, axis=1))
+        ajar = np.maximum(ajar, np.abs(data.qpos[where] - closed))
     warned = [mujoco.mjtWarning(i).name for i, w in enumerate(data.warning) if w.number]
     moved = {model.body(i).name: round(float(d), 4) for i, d in enumerate(far) if d > DRIFT}
+    opened = {model.joint(i).name: round(float(a), 4) for i, a in zip(joints, ajar) if a > AJAR[int(model.jnt_type[i])]}
     after = deepest(model, data)
     print(json.dumps({
         "bodies": model.nbody - 1, "loose": model.njnt, "geoms": model.ngeom, "wrong": wrong, "warnings": warned,
-        "overlaps": before, "overlaps_after": after, "moved": moved, "largest_move": round(float(far.max(initial=0)), 5),
+        "overlaps": before, "overlaps_after": after, "moved": moved, "opened": opened,
+        "largest_move": round(float(far.max(initial=0)), 5),
     }))
-    return 1 if wrong or warned or before or after or moved else 0
+    return 1 if wrong or warned or before or after or moved or opened else 0
 
 
 if __name__ == "__main__":

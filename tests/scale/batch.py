@@ -146,7 +146,8 @@ def kills(args, folder, times, wall):
     for _ in range(times):
         process = subprocess.Popen([args.binary, "batch", "jobs.jsonl", "--time", str(args.time), "-o", "killed", "--jobs", "2"],
                                    cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(dice.uniform(0.02, wall / times))
+        # On average, each gets its part of the time that all lines take.
+        time.sleep(dice.uniform(0.02, 2 * wall / times))
         process.send_signal(signal.SIGKILL)
         process.wait()
         # Half of the time the next command begins while workers of this one are still there.

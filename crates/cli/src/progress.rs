@@ -1,9 +1,12 @@
 //! A line of progress on a terminal; nothing in a pipe.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use scenelang_base::plain;
 use std::io::IsTerminal;
 use std::time::Duration;
+
+/// The remaining time is estimated once so much has passed.
+const KNOWN: Duration = Duration::from_secs(5);
 
 /// A spinner with a sentence, on standard error.
 pub struct Progress(ProgressBar);
@@ -26,6 +29,15 @@ impl Progress {
     /// Says what is being done now.
     pub fn say(&self, what: impl Into<String>) {
         self.0.set_message(clean(what));
+    }
+    /// The end of a sentence about so many things that are done and so many that are not: how long these will take.
+    pub fn left(&self, done: usize, open: usize) -> String {
+        match self.0.elapsed() {
+            elapsed if elapsed >= KNOWN && done > 0 && open > 0 => {
+                format!(", about {} left", HumanDuration(elapsed.mul_f64(open as f64 / done as f64)))
+            }
+            _ => String::new(),
+        }
     }
     /// Does something that prints, with the spinner out of the way.
     pub fn aside<R>(&self, print: impl FnOnce() -> R) -> R {

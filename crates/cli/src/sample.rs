@@ -1,10 +1,14 @@
 //! `scenelang sample`: many verified layouts of one program, and how far they are spread.
 
+mod piece;
+mod stored;
+
 use crate::args::{Sample, SummaryFormat};
 use crate::check::color;
 use crate::progress::Progress;
 use crate::replace::May;
 use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, interrupt, out, parallel, replace, settings, solution, solve};
+use piece::Piece;
 use scenelang_base::door::Door;
 use scenelang_engine::{check_layout_of, check_program};
 use scenelang_export::{Exporter, OutFile, Scene, SceneInput, all_exporters};
@@ -15,7 +19,9 @@ use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use scenelang_verify::report::{self, Human, statement_id};
 use scenelang_verify::{Checked, exit_code};
 use serde_json::{Value, json};
+use std::ops::Range;
 use std::path::Path;
+use stored::{Origin, Store, permit_split};
 
 /// What the report calls itself.
 const FORMAT: &str = "scenelang.samples/1";
@@ -84,54 +90,56 @@ impl Run<'_> {
         let range = args.shard.range(args.number);
         let pieces = pieces(range.clone());
         let inputs = [args.scene.as_path()];
-        for name in pieces.iter().map(file_of).chain([REPORT.to_owned()]) {
+        // As seen from the folder of all parts, so that it is the same in each.
+        let scene = solve::relative(&args.scene, &args.output.join(REPORT));
+        let origin = Origin::new(self.compiled, args.seed, &scene, &format!("{:?} {}", self.judge, args.effort));
+        let store = Store { folder: &folder, program: self.program, origin: &origin, export: &args.export };
+        if args.force {
+            store.clear(range.end)?;
+        } else {
+            store.permit(range.end)?;
+            permit_split(&args.output, args.shard)?;
+        }
+        for name in pieces.iter().flat_map(|piece| [file_of(piece), record_of(piece)]).chain([REPORT.to_owned()]) {
             replace::permit(&folder.join(name), &inputs, args.force)?;
         }
         let progress = Progress::new("looking for layouts to start from");
-        let settings = Settings {
-            seed: args.seed,
-            judge: self.judge,
-            effort: args.effort,
-            budget: 0,
-            // As seen from the folder of all parts, so that it is the same in each.
-            scene: solve::relative(&args.scene, &args.output.join(REPORT)),
-            whole: true,
-            stop: interrupt::stop(),
-        };
-        let Some(sampler) = Sampler::new(self.program, settings) else {
-            drop(progress);
-            return Ok(self.none());
-        };
-        let jobs = args.jobs.map_or_else(parallel::usual, usize::from);
-        let mut coverage = Coverage::new(self.program);
-        let mut files = Vec::new();
-        for piece in &pieces {
-            let mut text = String::new();
-            let mut failure = None;
-            let numbers: Vec<u64> = piece.clone().collect();
-            let draw = |number: &u64| self.draw(&sampler, *number, &folder);
-            parallel::in_order(&numbers, jobs, draw, |(drawn, exported)| {
-                coverage.add(&drawn);
-                if let Ok(sample) = &drawn.result {
-                    text += &sample.line;
-                    text.push('\n');
+        let mut sampler = None;
+        let (mut coverage, mut files, mut before) = (Coverage::new(self.program), Vec::new(), 0);
+        for range in &pieces {
+            let (mut piece, drawn) = store.open(range);
+            before += piece.count();
+            drawn.iter().for_each(|drawn| coverage.add(drawn));
+            coverage.count(&piece.tally, piece.whole);
+            if !self.export_rest(&mut piece, &drawn, &folder, &progress)? {
+                break;
+            }
+            drop(drawn);
+            if piece.count() < range.end - range.start && sampler.is_none() {
+                sampler = Sampler::new(self.program, self.settings(&scene));
+                if sampler.is_none() {
+                    drop(progress);
+                    return Ok(self.none());
                 }
-                failure = failure.take().or(exported.err());
-                progress.say(format!("{} of {} samples", coverage.asked, range.end - range.start));
-            });
+            }
+            if let Some(sampler) = &sampler {
+                self.draw_rest((&mut piece, range), sampler, &folder, (&mut coverage, before, &progress))?;
+            }
             if interrupt::asked() {
-                drop(progress);
-                eprintln!("interrupted; {} complete files were written", files.len());
-                return Ok(INTERRUPTED);
+                break;
             }
-            if let Some(message) = failure {
-                return Err(message);
-            }
-            files.push(file_of(piece));
-            let file = OutFile::new(file_of(piece), text);
-            replace::folder(&folder, &[file], &inputs, May { force: args.force, these: &[] })?;
+            piece.finish(&inputs, args.force)?;
+            files.push(file_of(range));
         }
         drop(progress);
+        if interrupt::asked() {
+            eprintln!(
+                "interrupted after {} of {} samples; run the same command again to continue",
+                coverage.asked,
+                range.end - range.start
+            );
+            return Ok(INTERRUPTED);
+        }
         if coverage.stored == 0 && range.start < range.end {
             return Ok(self.none());
         }
@@ -141,6 +149,9 @@ impl Run<'_> {
         match args.format {
             SummaryFormat::Json => println!("{report}"),
             SummaryFormat::Human => {
+                if before > 0 {
+                    out::show(&format!("{before} samples were drawn before\n"));
+                }
                 out::show(&coverage.text(self.program, &|index| self.statement(index)));
                 out::show(&format!("{} written\n", folder.display()));
             }
@@ -148,18 +159,88 @@ impl Run<'_> {
         Ok(if coverage.unverified > 0 { FINDINGS } else { GOOD })
     }
 
+    fn settings(&self, scene: &str) -> Settings {
+        Settings {
+            seed: self.args.seed,
+            judge: self.judge,
+            effort: self.args.effort,
+            budget: 0,
+            scene: scene.to_owned(),
+            whole: true,
+            stop: interrupt::stop(),
+        }
+    }
+
+    fn jobs(&self) -> usize {
+        self.args.jobs.map_or_else(parallel::usual, usize::from)
+    }
+
+    /// Draws the samples that a file does not have yet.
+    fn draw_rest(
+        &self,
+        (piece, range): (&mut Piece, &Range<u64>),
+        sampler: &Sampler<'_>,
+        folder: &Path,
+        (coverage, before, progress): (&mut Coverage, u64, &Progress),
+    ) -> Result<(), String> {
+        let numbers: Vec<u64> = (range.start + piece.count()..range.end).collect();
+        let all = self.args.shard.range(self.args.number);
+        let total = all.end - all.start;
+        let mut failure = None;
+        let draw = |number: &u64| self.draw(sampler, *number, folder);
+        parallel::in_order(&numbers, self.jobs(), draw, |(drawn, exported)| {
+            coverage.add(&drawn);
+            failure = failure.take().or_else(|| exported.and_then(|()| piece.add(&drawn)).err());
+            let [done, open] = [coverage.asked - before, total - coverage.asked].map(|n| n as usize);
+            progress.say(format!("{} of {total} samples{}", coverage.asked, progress.left(done, open)));
+        });
+        failure.map_or(Ok(()), Err)
+    }
+
+    /// Exports samples that an earlier run drew, in the formats that they lack; `false`: it was interrupted.
+    fn export_rest(
+        &self,
+        piece: &mut Piece,
+        drawn: &[Drawn],
+        folder: &Path,
+        progress: &Progress,
+    ) -> Result<bool, String> {
+        let formats = piece.lacks(&self.args.export);
+        if formats.is_empty() {
+            return Ok(!interrupt::asked());
+        }
+        let (mut failure, mut count) = (None, 0);
+        let export = |drawn: &Drawn| match &drawn.result {
+            Ok(sample) if !interrupt::asked() => self.export(&sample.line, drawn.index, folder, &formats),
+            _ => Ok(()),
+        };
+        parallel::in_order(drawn, self.jobs(), export, |exported: Result<(), String>| {
+            failure = failure.take().or(exported.err());
+            count += 1;
+            progress.say(format!("exporting {count} of {} samples drawn before", drawn.len()));
+        });
+        match failure {
+            Some(message) => Err(message),
+            None if interrupt::asked() => Ok(false),
+            None => {
+                piece.exported(formats);
+                Ok(true)
+            }
+        }
+    }
+
     /// One sample, and its files in the formats asked for.
     fn draw(&self, sampler: &Sampler<'_>, number: u64, folder: &Path) -> (Drawn, Result<(), String>) {
         let drawn = sampler.sample(number);
         let exported = match &drawn.result {
-            Ok(sample) if !self.args.export.is_empty() => self.export(&sample.line, number, folder),
+            Ok(sample) if !self.args.export.is_empty() => self.export(&sample.line, number, folder, &self.args.export),
             _ => Ok(()),
         };
         (drawn, exported)
     }
 
-    fn export(&self, line: &str, number: u64, folder: &Path) -> Result<(), String> {
-        let stem = format!("sample-{number:09}");
+    fn export(&self, line: &str, number: u64, folder: &Path, formats: &[String]) -> Result<(), String> {
+        let stem = stem_of(number);
         let called = format!("{stem}.layout.json");
         let program = (self.name, self.args.scene.as_path());
         let reading = scenelang_lang::Options::default();
@@ -185,7 +266,7 @@ impl Run<'_> {
             report: &report,
         };
         let scene = Scene::build(&input).map_err(|e| format!("{stem}: {e}"))?;
-        let chosen = all_exporters().into_iter().filter(|e| self.args.export.iter().any(|name| name == e.name()));
+        let chosen = all_exporters().into_iter().filter(|e| formats.iter().any(|name| name == e.name()));
         let mut files = Vec::new();
         for exporter in chosen {
             files.extend(Exporter::files(&*exporter, &scene).map_err(|e| format!("{stem}: {e}"))?);
@@ -272,7 +353,7 @@ impl Observer for Silent {
 }
 
 /// The samples of each file: cut at the same numbers however the work is split, and at the ends of the part.
-fn pieces(range: std::ops::Range<u64>) -> Vec<std::ops::Range<u64>> {
+fn pieces(range: Range<u64>) -> Vec<Range<u64>> {
     let mut pieces = Vec::new();
     let mut from = range.start;
     while from < range.end {
@@ -284,8 +365,18 @@ fn pieces(range: std::ops::Range<u64>) -> Vec<std::ops::Range<u64>> {
 }
 
 /// By the number of its first sample, so that files in the order of their names are samples in order.
-fn file_of(piece: &std::ops::Range<u64>) -> String {
+fn file_of(piece: &Range<u64>) -> String {
     format!("samples-{:09}.jsonl", piece.start)
+}
+
+/// The record of such a file.
+fn record_of(piece: &Range<u64>) -> String {
+    format!("samples-{:09}.json", piece.start)
+}
+
+/// The folder of an exported sample, and the name of its files.
+fn stem_of(number: u64) -> String {
+    format!("sample-{number:09}")
 }
 
 #[cfg(test)]

@@ -249,6 +249,7 @@ fn write_joint(xml: &mut Xml, name: &str, joint: &Joint) {
             ("axis", &spaced(joint.axis_in(FRAME).iter().copied())),
             ("range", &spaced(joint.range)),
             ("damping", &number(joint.damping)),
+            ("frictionloss", &number(joint.friction)),
         ],
     );
 }

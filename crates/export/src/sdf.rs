@@ -187,6 +187,7 @@ fn joint(xml: &mut Xml, name: &str, child: &str, joint: &Joint) {
     xml.end();
     xml.begin("dynamics", &[]);
     xml.text("damping", &number(joint.damping));
+    xml.text("friction", &number(joint.friction));
     xml.end();
     xml.end();
     xml.end();

@@ -164,7 +164,8 @@ fn joint(xml: &mut Xml, name: &str, [parent, child]: [&str; 2], joint: &Joint) {
     let [lower, upper] = joint.range.map(number);
     let (effort, velocity) = (number(EFFORT), number(VELOCITY));
     xml.empty("limit", &[("lower", &lower), ("upper", &upper), ("effort", &effort), ("velocity", &velocity)]);
-    xml.empty("dynamics", &[("damping", &number(joint.damping)), ("friction", "0")]);
+    let (damping, friction) = (number(joint.damping), number(joint.friction));
+    xml.empty("dynamics", &[("damping", &damping), ("friction", &friction)]);
     xml.end();
 }
 

@@ -115,6 +115,13 @@ impl Coverage {
         }
     }
 
+    /// Counts what was tried for samples that were added without their own counts: all of it, and how many were drawn as a
+    /// whole.
+    pub fn count(&mut self, tally: &Tally, whole: u64) {
+        self.tally.add(tally);
+        self.whole += whole;
+    }
+
     /// Things that are not where they were in another sample.
     fn moving(&self) -> Vec<usize> {
         (0..self.spreads.len()).filter(|i| self.spreads[*i].deviation(self.stored) > MOVES).collect()

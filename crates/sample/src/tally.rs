@@ -3,6 +3,7 @@
 use scenelang_engine::frame::Frame;
 use scenelang_engine::frame::checks::{Check, Numbering};
 use scenelang_lang::Program;
+use serde::{Deserialize, Serialize};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveKind {
@@ -40,7 +41,8 @@ pub const KINDS: [(MoveKind, f64, &str); 8] = [
 pub const RULES: [&str; 4] = ["P-COLLIDE", "P-BOUNDS", "P-SUPPORT", "P-OPEN"];
 
 /// Counts of one sample, or of many.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Tally {
     /// By kind of move: tried, and taken.
     pub moves: [[u64; 2]; KINDS.len()],

@@ -23,7 +23,7 @@ pub struct Sample {
     /// How many layouts to work on in parallel; the result does not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// The output folder: samples-*.jsonl, with one layout per line, and report.json
+    /// The output folder: samples-*.jsonl, with one layout per line, and report.json; samples that are there are not drawn again
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
     /// Also export each sample in these formats, separated by commas, to sample-NUMBER
@@ -32,7 +32,7 @@ pub struct Sample {
     /// Search N times as long as usual for the initial layouts
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub effort: u64,
-    /// Overwrite files that scenelang did not write or that were edited
+    /// Overwrite files that scenelang did not write or that were edited, and replace samples of another run
     #[arg(long)]
     pub force: bool,
     /// The output format

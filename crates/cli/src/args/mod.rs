@@ -10,7 +10,7 @@ pub use assets::{
     Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport, AssetsList, AssetsQueries, AssetsSearch, Furniture,
 };
 pub use manual::{Completions, Man, Page};
-pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample};
+pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample, Shard};
 pub use mcp::Mcp;
 pub use measure::{Bench, BenchSolve, Eval, EvalDataset, EvalReport, EvalRequests, EvalRun, EvalSceneEval};
 

@@ -138,7 +138,8 @@ fn all(args: &BatchRun) -> Result<u8, String> {
             failed += usize::from(!outcome.ok);
             again += usize::from(is_old);
             results.push(outcome);
-            progress.say(format!("{} of {} lines, {failed} failed", results.len(), own.len()));
+            let left = progress.left(results.len() - again, own.len() - results.len());
+            progress.say(format!("{} of {} lines, {failed} failed{left}", results.len(), own.len()));
         },
     );
     drop(progress);

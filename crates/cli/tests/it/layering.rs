@@ -81,6 +81,7 @@ const AT_THE_DISK: &[(&str, &str)] = &[
     ("base/src/fs", "what the door writes with"),
     ("base/src/owned", "which files are ours: of regular files that are about to be replaced"),
     ("cli/src/model.rs", "a recording is made where the option `--record` says"),
+    ("cli/src/sample/", "samples are recorded one by one, in a folder that `-o` names and the door permits"),
     ("cli/src/view/peer.rs", "the system's list of connections"),
     ("grammars/src", "no part of the program: it writes files of this repository"),
     ("llm/src/cache.rs", "`llm` knows nothing of ours; the cache has a folder of its own"),

@@ -87,6 +87,86 @@ fn a_sample_is_a_layout_that_holds() {
 }
 
 #[test]
+fn more_samples_and_more_formats_of_a_run_are_added() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("room.scene"), ROOM).unwrap();
+    sample(folder, &["-n", "12", "-o", "whole"]);
+    sample(folder, &["-n", "5", "-o", "grown"]);
+    let grown = sample(folder, &["-n", "12", "-o", "grown"]);
+    assert!(grown.stdout.starts_with("5 samples were drawn before"), "{grown:?}");
+    assert_eq!(results(&folder.join("grown")), results(&folder.join("whole")));
+    let again = sample(folder, &["-n", "12", "-o", "grown", "--export", "glb"]);
+    assert!(again.stdout.starts_with("12 samples were drawn before"), "{again:?}");
+    sample(folder, &["-n", "12", "-o", "exported", "--export", "glb"]);
+    assert_eq!(results(&folder.join("grown")), results(&folder.join("exported")));
+    for i in 0..12 {
+        let file = format!("sample-{i:09}/sample-{i:09}.glb");
+        let [grown, exported] = ["grown", "exported"].map(|out| fs::read(folder.join(out).join(&file)).unwrap());
+        assert!(grown == exported, "{file}");
+    }
+}
+
+#[test]
+fn samples_of_different_runs_are_not_mixed() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("room.scene"), ROOM).unwrap();
+    sample(folder, &["-n", "4", "-o", "out", "--export", "glb"]);
+    let run = |args: &[&str]| scenelang(folder, ["sample", "room.scene", "-o", "out"].iter().chain(args));
+    let before = results(&folder.join("out"));
+    for (args, why) in [
+        (&["-n", "4", "--seed", "8"][..], "drawn with --seed 7 instead of 8"),
+        (&["-n", "4", "--seed", "7", "--eta", "0.1"], "drawn with other options"),
+        (&["-n", "3", "--seed", "7"], "with higher numbers"),
+        (&["-n", "4", "--seed", "7", "--shard", "0/2"], "split in another way"),
+    ] {
+        let ended = run(args);
+        assert!(
+            ended.code == 2 && ended.stderr.contains(why) && ended.stderr.contains("--force"),
+            "{args:?} {ended:?}"
+        );
+        assert_eq!(results(&folder.join("out")), before);
+    }
+    assert_eq!(run(&["-n", "2", "--seed", "8", "--force"]).code, 0);
+    let fresh = scenelang(folder, ["sample", "room.scene", "-n", "2", "--seed", "8", "-o", "fresh"]);
+    assert_eq!(fresh.code, 0, "{fresh:?}");
+    assert_eq!(results(&folder.join("out")), results(&folder.join("fresh")));
+    assert!(!folder.join("out/sample-000000003").exists(), "exports of the other run are gone");
+    fs::write(folder.join("room.scene"), ROOM.replace("crate", "case")).unwrap();
+    let ended = run(&["-n", "2", "--seed", "8"]);
+    assert!(ended.code == 2 && ended.stderr.contains("of another version of the program"), "{ended:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn samples_continue_after_an_end_at_any_moment() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("room.scene"), ROOM).unwrap();
+    sample(folder, &["-n", "60", "-o", "whole"]);
+    let journal = folder.join("killed/.scenelang-samples-000000000.journal");
+    let mut length = 0;
+    for moment in [40, 70, 100] {
+        let mut command = binary();
+        command.args(["sample", "room.scene", "--seed", "7", "-n", "60", "-o", "killed"]).current_dir(folder);
+        let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        sleep(Duration::from_millis(moment));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        // As if the power had failed in the middle of an entry.
+        if let Ok(text) = fs::read(&journal) {
+            assert!(text.len() >= length, "nothing is drawn again");
+            fs::write(&journal, &text[..text.len() - text.len().min(9)]).unwrap();
+            length = text.len().saturating_sub(9);
+        }
+    }
+    sample(folder, &["-n", "60", "-o", "killed"]);
+    assert!(!journal.exists());
+    assert_eq!(results(&folder.join("killed")), results(&folder.join("whole")));
+}
+
+#[test]
 fn a_contradiction_has_no_sample() {
     let folder = tempfile::tempdir().unwrap();
     let text = fixed() + "assert box.pos.x >= 1;\nassert crate.pos.z <= 0.5;\nassert box.pos.x <= 0.5;\n";
@@ -124,7 +204,7 @@ fn manifest(folder: &Path) -> usize {
 fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
     let named = files.map(|file| (file.file_name().into_string().unwrap(), file.path()));
-    let kept = named.filter(|(name, _)| !name.starts_with("summary-") && !name.starts_with('.'));
+    let kept = named.filter(|(name, path)| !name.starts_with("summary-") && !name.starts_with('.') && path.is_file());
     kept.map(|(name, path)| (name, fs::read(path).unwrap())).collect()
 }
 
@@ -177,6 +257,8 @@ fn a_line_has_its_time_and_a_failed_one_is_tried_again_on_demand() {
     let line =
         format!("{{\"name\": \"long\", \"effort\": 1000, \"source\": {}}}", serde_json::to_string(&hopeless).unwrap());
     fs::write(folder.path().join("jobs.jsonl"), line + "\n{\"name\": \"short\", \"source\": \"object a;\"}").unwrap();
+    // The second line has all the time that it needs, however busy the machine is.
+    assert_eq!(batch(folder.path(), &["-o", "out", "--shard", "1/2"]).code, 0);
     let ended = batch(folder.path(), &["-o", "out", "--time", "0.5"]);
     assert_eq!(ended.code, 1, "{ended:?}");
     assert!(ended.stdout.contains("line 1 (long)") && ended.stdout.contains("0.5 s"), "{ended:?}");

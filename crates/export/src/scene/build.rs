@@ -57,8 +57,8 @@ impl fmt::Display for BuildError {
 
 impl std::error::Error for BuildError {}
 
-/// Things that are no farther from each other than this might touch, metres.
-const TOUCHING: f64 = 0.01;
+/// Things that overlap by no more than this touch each other, metres.
+const DEEP: f64 = 1e-3;
 
 /// What an object looks like that the furniture library does not draw, by its name.
 pub type Looks<'a> = &'a dyn Fn(&str) -> Option<&'a Mesh>;
@@ -246,19 +246,25 @@ fn floors(regions: &[Region], program: &Program) -> Vec<Surface> {
     regions.iter().zip(&program.regions).map(|(region, declared)| Dresser::of(declared, region.kind).floor()).collect()
 }
 
-/// Pairs of objects that the program lets overlap, as far as they are near each other.
+/// Pairs of objects that the program lets overlap, as far as they do. What merely touches another may rest on it, and has to
+/// be held up by it: a blanket on a bed, a mat on a table.
 fn overlaps(program: &Program, objects: &[Object]) -> Vec<[usize; 2]> {
     let allow = &program.allow;
     if allow.collide.is_empty() && allow.contents.is_empty() {
         return Vec::new();
     }
-    let boxes: Vec<Aabb> = objects.iter().map(|o| convex::aabb(&o.world_solid().collect::<Vec<_>>())).collect();
+    let solids: Vec<Vec<_>> = objects.iter().map(|o| o.world_solid().collect()).collect();
+    let boxes: Vec<Aabb> = solids.iter().map(|solid| convex::aabb(solid)).collect();
+    let is_deep = |a: u32, b: u32| {
+        let [a, b] = [a, b].map(|index| &solids[index as usize]);
+        a.iter().any(|x| b.iter().any(|y| convex::separation(x, y).gap < -DEEP))
+    };
     let id = |index: u32| program::ObjectId(index);
     let allowed = |a: u32, b: u32| {
         let within = allow.contents.iter().any(|&(x, y)| (x, y) == (id(a), id(b)) || (x, y) == (id(b), id(a)));
         within || allow.collide.contains(id(a), id(b))
     };
-    let near = broad::pairs_within(&boxes, TOUCHING).into_iter().filter(|&(a, b)| allowed(a, b));
+    let near = broad::pairs_within(&boxes, 0.0).into_iter().filter(|&(a, b)| allowed(a, b) && is_deep(a, b));
     near.map(|(a, b)| [a as usize, b as usize]).collect()
 }
 

@@ -49,7 +49,7 @@ pub struct Scene {
     pub shells: Vec<Shell>,
     /// The lights of its lamps, and one for each room without any.
     pub lamps: Vec<Lamp>,
-    /// Objects, by index, that may overlap and are so near each other that they might; smaller index first.
+    /// Objects, by index, that may overlap and do; smaller index first.
     pub overlaps: Vec<[usize; 2]>,
 }
 

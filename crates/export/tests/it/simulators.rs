@@ -1,6 +1,6 @@
 //! MJCF, SDF, USD and OBJ, read back: names, who is loose, what may overlap, and names that are hard to write.
 
-use crate::fixture::{named, parts, scene};
+use crate::fixture::{Parts, named, parts, scene};
 use roxmltree::{Document, Node};
 use scenelang_export::{Exporter, Lost, Scene, losses, mjcf, obj, sdf, usd};
 use serde_json::Value;
@@ -91,15 +91,23 @@ fn equal_things_share_a_prim_and_a_package_holds_the_same_layer() {
     assert_eq!(at % 64, 0);
 }
 
-#[test]
-fn what_may_overlap_is_said_where_it_can_be() {
+/// A chair that may overlap the table stands on it, so much deeper than its top.
+fn chair_on_table(depth: f64) -> Parts {
     let mut parts = parts();
     let id = |name: &str| {
         let at = parts.program.objects.iter().position(|o| o.name == name).unwrap();
         scenelang_lang::program::ObjectId(at as u32)
     };
     parts.program.allow.contents = vec![(id("chair[0]"), id("table"))];
-    parts.layout.objects.iter_mut().find(|(n, _)| n == "chair[0]").unwrap().1.pos.z = 0.5;
+    let table = &parts.layout.objects.iter().find(|(n, _)| n == "table").unwrap().1;
+    let at = table.pos + scenelang_layout::Vec3::new(0.0, table.scale.y - depth, 0.0);
+    parts.layout.objects.iter_mut().find(|(n, _)| n == "chair[0]").unwrap().1.pos = at;
+    parts
+}
+
+#[test]
+fn what_may_overlap_is_said_where_it_can_be() {
+    let parts = chair_on_table(0.05);
     let scene = parts.build().unwrap();
     assert_eq!(scene.overlaps, [[0, 1]]);
     let mjcf = &files(&mjcf::Mjcf, &scene)["room.mjcf.xml"];
@@ -112,6 +120,14 @@ fn what_may_overlap_is_said_where_it_can_be() {
         .collect();
     let pair = Lost::Overlaps(vec![["table".into(), "chair[0]".into()]]);
     assert_eq!(lost, [("sdf".into(), pair), ("sdf".into(), Lost::Program)]);
+}
+
+/// What a thing rests on has to hold it up, even if they may overlap.
+#[test]
+fn what_merely_touches_is_not_let_through() {
+    for (depth, overlaps) in [(0.0, vec![]), (0.0005, vec![]), (0.01, vec![[0, 1]])] {
+        assert_eq!(chair_on_table(depth).build().unwrap().overlaps, overlaps, "{depth}");
+    }
 }
 
 #[test]
