@@ -411,11 +411,7 @@ mod tests {
         ] {
             assert_eq!(said(text), wanted, "{text}");
         }
-        assert!(
-            said("eta = ").starts_with("1:") && said("eta = ").contains("invalid TOML"),
-            "{}",
-            said("eta = ")
-        );
+        assert!(said("eta = ").starts_with("1:") && said("eta = ").contains("invalid TOML"), "{}", said("eta = "));
         assert!(said("eta = 1\neta = 2").starts_with("2:1"), "{}", said("eta = 1\neta = 2"));
         assert_eq!(said("phisics = true\neta = true").lines().count(), 2);
     }

@@ -42,7 +42,11 @@ fn search_names_the_family_and_the_best_models() {
     let folder = shop();
     let ended = scenelang(folder.path(), ["assets", "search", "chair"]);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    assert!(ended.stdout.starts_with("the furniture library has a generator for it: chair; usually "), "{}", ended.stdout);
+    assert!(
+        ended.stdout.starts_with("the furniture library has a generator for it: chair; usually "),
+        "{}",
+        ended.stdout
+    );
 
     let ended = scenelang(
         folder.path(),
@@ -81,7 +85,12 @@ fn list_shows_what_there_is_and_warns_of_what_is_passed_over() {
 fn check_has_three_forms_and_three_exit_codes() {
     let folder = shop();
     let ended = scenelang(folder.path(), ["assets", "check", "models"]);
-    assert_eq!((ended.code, ended.stdout.as_str()), (0, "models: 3 models checked, 0 with findings\n"), "{}", ended.stderr);
+    assert_eq!(
+        (ended.code, ended.stdout.as_str()),
+        (0, "models: 3 models checked, 0 with findings\n"),
+        "{}",
+        ended.stderr
+    );
 
     fs::remove_file(folder.path().join("models/a.json")).unwrap();
     let ended = scenelang(folder.path(), ["assets", "check", "models"]);

@@ -1,7 +1,7 @@
 //! What is asked for: where it stands if the request does not say it, and how large its tables are.
 
 use super::build::Root;
-use super::choose::{self, Choice};
+use super::choose::{self, Choice, PULL};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
@@ -30,6 +30,8 @@ const COUNTER: &str = "kitchen counter";
 const FOR_TWO: f64 = 1.9;
 /// What stands free with its seats is at least so far from others, if the room may be larger (metres).
 const CLOSE: f64 = 0.45;
+/// What is wheeled stands at a wall.
+const CARTS: [&str; 4] = ["bar cart", "serving cart", "tea trolley", "drinks trolley"];
 /// What stands or leads along a wall.
 const PARKED: [&str; 10] = [
     "staircase",
@@ -210,7 +212,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         straighten(plan, thing);
     }
     // Who waits on a bench or a chair is in nobody's way.
-    let is_seat_aside = ASIDE.contains(&noun.as_str())
+    let is_seat_aside = (ASIDE.contains(&noun.as_str()) || CARTS.iter().any(|end| noun.ends_with(end)))
         && own.is_none()
         && it.count <= 2
         && !plan.draft.outdoor
@@ -322,6 +324,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         strictly: like.looks_at.is_some(),
         staffed: staffed(plan),
         near: stands_near(plan, &it, like),
+        pull: PULL[usize::from(at_window(plan, &it.name).is_some())],
         beds: &[],
         watched: is_watched_room(plan),
         dines: plan.dines(),

@@ -37,6 +37,8 @@ const TRAINED: [(&str, f64); 2] = [("weight bench", 0.5), ("treadmill", 0.3)];
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
+/// A table without its seats is lacking as much as so many other things.
+const SEATLESS: usize = 3;
 /// What a group is not complete without, beside its seats.
 const USED: [&str; 5] = ["kitchen sink", "stove", "fridge", "sink", "nightstand"];
 
@@ -302,9 +304,8 @@ impl Plan<'_> {
             if placed.is_some() {
                 // Who works or eats at what is asked for has a seat there.
                 let seatless = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat);
-                self.lacking += usize::from(
-                    seatless && stand::group(&self.draft.things[thing].category) == crate::brief::Group::Table,
-                );
+                let is_table = stand::group(&self.draft.things[thing].category) == crate::brief::Group::Table;
+                self.lacking += if seatless && is_table { SEATLESS } else { 0 };
                 self.settle();
                 return true;
             }

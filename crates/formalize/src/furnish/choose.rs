@@ -18,6 +18,8 @@ pub struct Choice<'a> {
     pub staffed: Option<Staff>,
     /// What it stands or hangs near: its place.
     pub near: Option<Pose>,
+    /// What each metre from there costs.
+    pub pull: f64,
     /// Where the beds of the room are, above whose heads no screen hangs.
     pub beds: &'a [Pose],
     /// Whether such rooms have a screen across from the sofa.
@@ -37,6 +39,8 @@ pub enum Staff {
     Around(Block),
 }
 
+/// What each metre from what it stands near costs, and from the window that it is said to be at.
+pub const PULL: [f64; 2] = [0.8, 3.0];
 /// Things beside each other of one kind are this far apart at least, where there is a choice (metres).
 const TOGETHER: f64 = 0.35;
 /// From the door to the middle of a counter, and of a stand for one person (metres).
@@ -140,7 +144,7 @@ impl Choice<'_> {
         {
             cost += 1.0;
         }
-        cost += self.to_near(pose) * 0.8;
+        cost += self.to_near(pose) * self.pull;
         let lit = self.windows.contains(&wall);
         if lit && self.is(&["toilet"]) {
             cost += BEFORE_WINDOW;

@@ -2,7 +2,7 @@
 //! the middle of the room.
 
 use super::build::Root;
-use super::choose::Choice;
+use super::choose::{Choice, PULL};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::inventory::{APART, EYES, HUNG_SCREEN};
@@ -109,6 +109,7 @@ pub fn up(plan: &mut Plan, at: usize) {
         strictly: false,
         staffed: None,
         near: None,
+        pull: PULL[0],
         beds: &[],
         watched: false,
         dines: false,

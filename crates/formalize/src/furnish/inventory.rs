@@ -1,7 +1,7 @@
 //! The lines of the inventory of a kind of room: how many of each, how large, and the best place that is left.
 
 use super::build::Root;
-use super::choose::Choice;
+use super::choose::{Choice, PULL};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, PlanPlace};
@@ -294,6 +294,7 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
         strictly: opposite_pose.is_some() || aside.is_some(),
         staffed: staffed(plan),
         near: near_to(plan, line.by),
+        pull: PULL[0],
         beds: &beds,
         watched: is_watched_room(plan),
         dines: plan.dines(),

@@ -458,9 +458,14 @@ fn places_elsewhere(draft: &Draft, brief: &Brief, at: usize) -> Vec<String> {
 }
 
 /// Whether what matters most in a room of this kind has a planned place, where it is there and such rooms have it at a wall: of a
-/// bedroom its bed.
+/// bedroom its bed. A bathroom has a shower or a bathtub.
 pub fn has_place_for_first(draft: &Draft, at: usize) -> bool {
-    let Some(first) = kinds::of(&draft.rooms[at].kind).and_then(|kind| kind.lines.first()) else { return true };
+    let Some(kind) = kinds::of(&draft.rooms[at].kind) else { return true };
+    let Some(first) = kind.lines.first() else { return true };
+    if kind.name == "bathroom" {
+        let washes = |noun: &str| ["shower", "tub"].iter().any(|end| noun.ends_with(end));
+        return draft.things.iter().any(|thing| thing.room == Some(at) && washes(&thing.category));
+    }
     let is_first =
         |thing: &&DraftThing| thing.room == Some(at) && stand::counts_as(first.noun, &thing.category.replace('_', " "));
     first.place != kinds::PlanPlace::Wall

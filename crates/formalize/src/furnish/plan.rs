@@ -376,7 +376,8 @@ impl<'a> Plan<'a> {
         let each = places.len();
         let stands = places.iter().any(|slot| slot.level == Level::Floor) && own[1] > 0.05;
         // Where places are known, they say better whether there is room for seats that matter.
-        let is_known = seat && self.matters && self.ground.is_some();
+        let is_asked = matches!(self.draft.things[thing].source, ThingOrigin::Stated(_));
+        let is_known = seat && (self.matters || is_asked) && self.ground.is_some();
         let has_room = !stands || is_known || self.has_room(own, each * anchors, false);
         if each == 0 || !self.has_room_for_rug(own) || !has_room {
             // A table without its seats wants a larger room.

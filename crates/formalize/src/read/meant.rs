@@ -343,6 +343,44 @@ pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A waiting room in a clinic with chairs": what is spoken of is a clinic waiting room.
+pub(super) fn in_building(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const BUILDINGS: [&str; 15] = [
+        "clinic",
+        "hospital",
+        "school",
+        "kindergarten",
+        "university",
+        "college",
+        "hotel",
+        "museum",
+        "factory",
+        "restaurant",
+        "theatre",
+        "theater",
+        "airport",
+        "library",
+        "office",
+    ];
+    let within = matches!(word(tokens, i), "in" | "of" | "at" | "inside") && matches!(word(tokens, i + 1), "a" | "an");
+    let building = word(tokens, i + 2).to_owned();
+    let goes_on = word(tokens, i + 3) == "with" || ends(tokens, i + 3);
+    if !within || !goes_on || !BUILDINGS.contains(&building.as_str()) || !matches!(word(tokens, 0), "a" | "an" | "the")
+    {
+        return false;
+    }
+    // The longest name of a room that the words before it end with.
+    let name = |from: usize| (from..i).map(|at| word(tokens, at)).collect::<Vec<_>>().join(" ");
+    let is_room = |from: &usize| {
+        let name = name(*from);
+        kinds::all().iter().any(|kind| kind.name == name || kind.also.iter().any(|also| *also == name))
+    };
+    let Some(from) = (1..i).find(is_room) else { return false };
+    let words: Vec<String> = std::iter::once(building).chain((from..i).map(|at| word(tokens, at).to_owned())).collect();
+    put(tokens, from, i + 3, &words.iter().map(String::as_str).collect::<Vec<_>>());
+    true
+}
+
 /// "Two beds separated by a curtain": it is between them.
 pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
     const PASSED: [&str; 7] = ["door", "wall", "corridor", "hall", "hallway", "opening", "distance"];
@@ -409,6 +447,8 @@ mod tests {
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
             ("a hall seating twenty people", "a hall for twenty people"),
             ("two beds separated by a curtain and a lamp", "two beds with a curtain between them and a lamp"),
+            ("a small waiting room in a clinic with a desk", "a small clinic waiting room with a desk"),
+            ("a waiting room in a building with a clinic", "a waiting room in a building with a clinic"),
             ("two rooms separated by a door", "two rooms separated by a door"),
             ("a lobby with a reception and a lounge", "a lobby with a reception desk and a lounge"),
             ("a hotel with a reception", "a hotel with a reception"),

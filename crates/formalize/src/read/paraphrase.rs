@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 36] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 37] = [
             apart,
             together,
             each_other,
@@ -46,6 +46,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::bedrooms,
             meant::reception,
             meant::separated,
+            meant::in_building,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i))
             || super::taken_back::plain(tokens, i)
