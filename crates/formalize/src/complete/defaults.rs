@@ -35,7 +35,9 @@ const AT_ISLAND: usize = 3;
 /// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
 pub fn seats(brief: &mut Brief) {
     let people = brief.rooms.iter().find_map(|room| room.people);
-    let is_seat = |i: &Thing| i.group == Group::Seat || i.words.last().is_some_and(|w| w == "bench");
+    let is = |i: &Thing, noun: &str| i.words.last().is_some_and(|w| w == noun);
+    // A baby sits in a chair of its own.
+    let is_seat = |i: &Thing| i.group == Group::Seat && !is(i, "highchair") || is(i, "bench");
     let ruled_out = brief.absent.iter().any(|(a, _)| ["chair", "seat"].iter().any(|seat| a.contains(seat)));
     let (Some(people), false) = (people, ruled_out || brief.things.iter().any(is_seat)) else { return };
     let open = |i: &Thing| brief.rooms.get(i.room).is_none_or(|room| !room.only);

@@ -116,8 +116,8 @@ impl Plan<'_> {
         if matches!(part.at, Where::Enclose(..)) {
             self.fenced(&anchor.name, &it.name);
         }
-        // A bench is at one side of a table: chairs are at the others.
-        let is_seat = stand::group(part.noun) == Group::Seat && part.noun != "bench";
+        // A bench or a highchair is at one side of a table: chairs are at the others.
+        let is_seat = stand::group(part.noun) == Group::Seat && !matches!(part.noun, "bench" | "highchair");
         if let Some(group) = self.building.as_mut().filter(|_| is_seat) {
             group.seated.push(thing);
         }

@@ -353,7 +353,8 @@ fn usual_number(
         kinds::Count::Fixed(n) if n > 2 && plural => Some(n),
         // "Reading tables for twelve". Nobody says how many people: as many as sleep there, or as usual.
         kinds::Count::People(each) if plural && matches!(thing.group, Group::Table | Group::Storage) => {
-            let people = brief.rooms.get(thing.room)?.people.or_else(|| sleepers(brief, thing.room, kind));
+            let people = brief.rooms.get(thing.room)?.people;
+            let people = people.or_else(|| sleepers(brief, thing.room, kind)).or_else(|| sitters(brief, thing.room));
             let people = people.map_or(kind.people, |people| people as f64);
             Some((people / each).ceil().max(2.0) as usize)
         }
@@ -374,6 +375,14 @@ fn usual_number(
         }
         _ => None,
     }
+}
+
+/// How many sit on the seats of a room, where one kind of seats is asked for.
+fn sitters(brief: &Brief, room: usize) -> Option<usize> {
+    const CLASS: usize = 6;
+    let mut seats = brief.things.iter().filter(|thing| thing.room == room && thing.group == Group::Seat);
+    let (Some(seat), None) = (seats.next(), seats.next()) else { return None };
+    seat.number.said().filter(|n| *n >= CLASS)
 }
 
 /// How many sleep in the beds of a room that are asked for.

@@ -343,6 +343,17 @@ pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Twenty chairs with tables": the tables are beside the chairs, not on them.
+pub(super) fn chairs_with_tables(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let seats = matches!(word(tokens, i), "chairs" | "seats" | "stools");
+    let tables = matches!(word(tokens, i + 2), "tables" | "desks");
+    if !seats || word(tokens, i + 1) != "with" || !tables {
+        return false;
+    }
+    put(tokens, i + 1, i + 2, &["and"]);
+    true
+}
+
 /// "A waiting room in a clinic with chairs": what is spoken of is a clinic waiting room.
 pub(super) fn in_building(tokens: &mut Vec<Token>, i: usize) -> bool {
     const BUILDINGS: [&str; 15] = [
@@ -447,6 +458,7 @@ mod tests {
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
             ("a hall seating twenty people", "a hall for twenty people"),
             ("two beds separated by a curtain and a lamp", "two beds with a curtain between them and a lamp"),
+            ("a room with ten chairs with tables", "a room with ten chairs and tables"),
             ("a small waiting room in a clinic with a desk", "a small clinic waiting room with a desk"),
             ("a waiting room in a building with a clinic", "a waiting room in a building with a clinic"),
             ("two rooms separated by a door", "two rooms separated by a door"),
