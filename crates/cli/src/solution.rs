@@ -21,7 +21,7 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
         out += &report::human(&found.checked, Human { color: color(), all: false });
         let end = match found.outcome.end {
             _ if found.layout().incomplete => ", incomplete because of the interruption",
-            End::Time => " because the time limit was reached; it does not satisfy everything",
+            End::Time => " after the time limit was reached",
             End::Budget => " after the search budget was used up (increase it with --effort)",
             _ => "",
         };

@@ -46,9 +46,13 @@ fn what_is_in_the_way_is_named_in_words() {
     fs::write(folder.path().join("room.scene"), &scene).unwrap();
     let ended = scenelang(folder.path(), ["solve", "room.scene"]);
     assert_eq!(ended.code, 1, "{}", ended.stderr);
-    let said = "without this statement, all other statements can hold, as this layout shows; a smaller set may exist:\n  \
+    let said = "if this statement is removed, the layout satisfies all others; removing fewer may be enough:\n  \
                 room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 2\n";
-    assert!(ended.stdout.contains("when the budget was used up (--effort increases it)\n"), "{}", ended.stdout);
+    assert!(
+        ended.stdout.contains("after the search budget was used up (increase it with --effort)\n"),
+        "{}",
+        ended.stdout
+    );
     assert!(ended.stdout.contains(said), "{}", ended.stdout);
     // The layout is the witness, as `check` sees it.
     let report = scenelang(folder.path(), ["check", "room.layout.json", "--format", "json"]).reports().remove(0);
@@ -114,7 +118,7 @@ fn what_is_still_free_is_named() {
     let reach: f64 = lamp["z"].as_array().unwrap().iter().map(|z| z.as_f64().unwrap()).sum();
     assert!(reach > 0.0 && reach <= 3.61, "within a room of 4 m, 0.4 m thick: {lamp}");
     let ended = solve(&["--free"]);
-    let line = ended.stdout.lines().find(|l| l.starts_with("still free: ")).expect("a line");
+    let line = ended.stdout.lines().find(|l| l.starts_with("objects that can still move: ")).expect("a line");
     assert!(line.contains(lamp["text"].as_str().unwrap()) && line.contains("`lamp` along z by up to "), "{line}");
 }
 

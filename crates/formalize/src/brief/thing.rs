@@ -200,6 +200,13 @@ impl Pick {
 }
 
 impl Thing {
+    /// Whether so many people sit at each of several tables: "six tables for eight". More are all of them together.
+    pub fn seats_each(&self) -> bool {
+        const AT_ONE: usize = 12;
+        let several = self.number.said().is_some_and(|n| n > 1);
+        self.group == Group::Table && several && self.places.is_some_and(|n| n <= AT_ONE)
+    }
+
     /// The noun: "table" of a coffee table.
     pub fn head(&self) -> String {
         self.words[self.words.len().saturating_sub(self.last)..].join(" ")

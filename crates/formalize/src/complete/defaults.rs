@@ -34,6 +34,7 @@ const AT_ISLAND: usize = 3;
 
 /// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
 pub fn seats(brief: &mut Brief) {
+    seats_at_each(brief);
     let people = brief.rooms.iter().find_map(|room| room.people);
     let is = |i: &Thing, noun: &str| i.words.last().is_some_and(|w| w == noun);
     // A baby sits in a chair of its own.
@@ -49,7 +50,7 @@ pub fn seats(brief: &mut Brief) {
     };
     // A couple does not sit at the desk of its bedroom, nor at its dressing table.
     let for_one = |i: &Thing| i.words.iter().any(|word| FOR_ONE.contains(&word.as_str()));
-    let seats_all = |i: &Thing| seats_all(i) || i.places.is_some();
+    let seats_all = |i: &Thing| seats_all(i) || i.places.is_some() && i.head().ends_with("table");
     let works = |i: &Thing| i.places.is_none() && (i.words.last().is_some_and(|word| word == "desk") || for_one(i));
     let sat_at = |i: &Thing| i.words.last().is_some_and(|word| SAT_AT.iter().any(|end| word.ends_with(end)));
     let sits = |i: &Thing| i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i);
@@ -65,6 +66,16 @@ pub fn seats(brief: &mut Brief) {
     };
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], FactKind::Rel(Rel::Around, vec![table]), ThingOrigin::Inferred(why)));
+}
+
+/// "Six tables for eight": so many chairs at each, where nothing is said of seats.
+fn seats_at_each(brief: &mut Brief) {
+    let here = |room: usize, i: &Thing| i.room == room && i.group == Group::Seat;
+    let table =
+        brief.things.iter().position(|i| i.seats_each() && !brief.things.iter().any(|other| here(i.room, other)));
+    let Some(table) = table.filter(|table| !brief.rooms[brief.things[*table].room].only) else { return };
+    let (n, each, room) = (brief.count(table), brief.things[table].places.unwrap_or(1), brief.things[table].room);
+    push(brief, room, "chair", n * each, &format!("{each} people sit there"));
 }
 
 /// The robot of a cell works behind a fence. Several share one only where the request says how.

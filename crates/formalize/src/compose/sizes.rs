@@ -138,8 +138,9 @@ fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
 /// and side by side on a sofa and in a bed.
 fn places(item: &Thing, count: usize) -> f64 {
     const EACH: f64 = 0.6;
-    // "Chairs for eight" are eight chairs, each for one.
-    let Some(people) = item.places.map(|n| n.div_ceil(count.max(1)) as f64) else { return 0.0 };
+    // "Chairs for eight" are eight chairs, each for one; "six tables for eight" are for eight each.
+    let each = |n: usize| if item.seats_each() { n } else { n.div_ceil(count.max(1)) };
+    let Some(people) = item.places.map(|n| each(n) as f64) else { return 0.0 };
     match item.group {
         Group::Table if item.look.features.iter().any(|f| f == "round") => people * EACH / std::f64::consts::PI,
         Group::Table => (people / 2.0).ceil() * EACH,

@@ -30,8 +30,8 @@ const COUNTER: &str = "kitchen counter";
 const FOR_TWO: f64 = 1.9;
 /// What stands free with its seats is at least so far from others, if the room may be larger (metres).
 const CLOSE: f64 = 0.45;
-/// What is wheeled stands at a wall.
-const CARTS: [&str; 4] = ["bar cart", "serving cart", "tea trolley", "drinks trolley"];
+/// What is wheeled stands at a wall, and so does what all look at.
+const AT_WALL: [&str; 5] = ["bar cart", "serving cart", "tea trolley", "drinks trolley", "stage"];
 /// What stands or leads along a wall.
 const PARKED: [&str; 10] = [
     "staircase",
@@ -212,7 +212,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         straighten(plan, thing);
     }
     // Who waits on a bench or a chair is in nobody's way.
-    let is_seat_aside = (ASIDE.contains(&noun.as_str()) || CARTS.iter().any(|end| noun.ends_with(end)))
+    let is_seat_aside = (ASIDE.contains(&noun.as_str()) || AT_WALL.iter().any(|end| noun.ends_with(end)))
         && own.is_none()
         && it.count <= 2
         && !plan.draft.outdoor

@@ -59,13 +59,18 @@ pub struct GroupPart {
 /// The parts that go with a thing of this name in rooms that are dressed so (`office`, `school`; empty: as homes are): the
 /// longest ending of the name that the table has, one for such rooms before one for all.
 pub fn of(name: &str, dress: &str) -> &'static [GroupPart] {
+    listed(name, dress).unwrap_or_default()
+}
+
+/// The same, or nothing where the table does not have the name: a loft bed is there, and nothing goes with it.
+pub fn listed(name: &str, dress: &str) -> Option<&'static [GroupPart]> {
     let groups = all();
     let words: Vec<&str> = name.split([' ', '_']).collect();
     let found = (0..words.len()).find_map(|from| {
         let end = words[from..].join(" ");
         groups.get(format!("{end} @ {dress}").as_str()).or_else(|| groups.get(end.as_str()))
     });
-    found.map_or(&[], Vec::as_slice)
+    found.map(Vec::as_slice)
 }
 
 /// Whether visitors sit across from who works at such a thing.

@@ -237,8 +237,7 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(places) = at_tables(brief, at, kind).filter(|_| plural) {
         return Some(places);
     }
-    let name =
-        kind.means.iter().find(|(said, _)| *said == thing.name()).map_or(thing.name(), |(_, noun)| (*noun).into());
+    let name = meant(kind, thing.name());
     let like = |line: &&kinds::Line| stand::counts_as(line.noun, &name);
     // "Desks" in a classroom are those of the pupils.
     let for_people = |line: &&kinds::Line| plural && like(line) && matches!(line.count, kinds::Count::People(_));
@@ -260,10 +259,7 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
 
 /// How many of a thing there are that each of several others has one of, in such a room.
 fn at_anchors(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
-    let meant = |name: String| match kind.means.iter().find(|(said, _)| *said == name) {
-        Some((_, noun)) => (*noun).to_owned(),
-        None => name,
-    };
+    let meant = |name: String| meant(kind, name);
     let noun = meant(brief.things[at].name());
     let others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == brief.things[at].room);
     let has_one = |other: usize| {
@@ -274,6 +270,11 @@ fn at_anchors(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<
     others.filter(|other| brief.count(*other) > 1 && has_one(*other)).map(|other| brief.count(other)).next()
 }
 
+/// What a name means in such a room.
+fn meant(kind: &kinds::FurnishingKind, name: String) -> String {
+    kind.means.iter().find(|(said, _)| *said == name).map_or(name, |(_, noun)| (*noun).to_owned())
+}
+
 /// "Chairs" at one desk are so many at least.
 const SEVERAL: usize = 2;
 
@@ -281,10 +282,7 @@ const SEVERAL: usize = 2;
 /// chairs".
 fn at_tables(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
     let thing = &brief.things[at];
-    let meant = |name: String| match kind.means.iter().find(|(said, _)| *said == name) {
-        Some((_, noun)) => (*noun).to_owned(),
-        None => name,
-    };
+    let meant = |name: String| meant(kind, name);
     let elsewhere = |fact: &Fact| {
         let at_table = matches!(fact.what, FactKind::Rel(Rel::Around | Rel::At, _));
         fact.of.contains(&at) && !at_table
@@ -457,7 +455,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
 fn places_elsewhere(draft: &Draft, brief: &Brief, at: usize) -> Vec<String> {
     let Some(kind) = kinds::of(&draft.rooms[at].kind) else { return Vec::new() };
     let people = brief.rooms.get(at).and_then(|room| room.people).map_or(kind.people, |people| people as f64);
-    let here = brief.things.iter().filter(|thing| thing.room == at && thing.group == Group::Table);
+    let here = brief.things.iter().filter(|thing| thing.room == at && thing.head().ends_with("table"));
     let most = here.filter_map(|thing| thing.places).max().unwrap_or(0) as f64;
     let for_each = kind
         .lines

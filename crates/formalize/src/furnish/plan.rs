@@ -248,7 +248,7 @@ impl<'a> Plan<'a> {
     /// a reading nook is a chair to read in.
     pub(super) fn group_name<'n>(&self, category: &'n str) -> Cow<'n, str> {
         let noun = category.replace('_', " ");
-        if groups::of(&noun, self.kind.dress).is_empty()
+        if groups::listed(&noun, self.kind.dress).is_none()
             && let Some(line) = self.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun))
         {
             return Cow::Borrowed(line.noun);

@@ -343,6 +343,23 @@ pub(super) fn reception(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A dentist's practice with two treatment rooms": rooms of a dentist.
+pub(super) fn practice_rooms(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const OF: [(&str, &[&str]); 2] =
+        [("dental", &["dentist", "dentist's", "dental", "dentists"]), ("veterinary", &["vet", "vet's", "veterinary"])];
+    let is_room = matches!(word(tokens, i + 1), "room" | "rooms");
+    if !matches!(word(tokens, i), "treatment" | "examination" | "exam") || !is_room || i == 0 {
+        return false;
+    }
+    let of = |names: &[&str]| tokens[..i].iter().any(|t| names.iter().any(|name| t.is(name)));
+    let Some((practice, _)) = OF.iter().find(|(practice, names)| of(names) && word(tokens, i - 1) != *practice) else {
+        return false;
+    };
+    let (kind, room) = (word(tokens, i).to_owned(), word(tokens, i + 1).to_owned());
+    put(tokens, i, i + 2, &[practice, &kind, &room]);
+    true
+}
+
 /// "Twenty chairs with tables": the tables are beside the chairs, not on them.
 pub(super) fn chairs_with_tables(tokens: &mut Vec<Token>, i: usize) -> bool {
     let seats = matches!(word(tokens, i), "chairs" | "seats" | "stools");
@@ -458,6 +475,7 @@ mod tests {
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
             ("a hall seating twenty people", "a hall for twenty people"),
             ("two beds separated by a curtain and a lamp", "two beds with a curtain between them and a lamp"),
+            ("a dental practice with two treatment rooms", "a dental practice with two dental treatment rooms"),
             ("a room with ten chairs with tables", "a room with ten chairs and tables"),
             ("a small waiting room in a clinic with a desk", "a small clinic waiting room with a desk"),
             ("a waiting room in a building with a clinic", "a waiting room in a building with a clinic"),

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 38] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 39] = [
             apart,
             together,
             each_other,
@@ -48,6 +48,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::separated,
             meant::in_building,
             meant::chairs_with_tables,
+            meant::practice_rooms,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i))
             || super::taken_back::plain(tokens, i)

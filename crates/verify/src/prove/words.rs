@@ -46,9 +46,9 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     let rules = match (&found.reason, found.rules.as_slice()) {
         (Some(reason), _) => format!(": {reason}"),
         (None, []) => String::new(),
-        (None, [one]) => format!(": {one}"),
-        (None, [one, two]) => format!(": {one}, {two}"),
-        (None, [one, rest @ ..]) => format!(": {one}, together with {} other rules", rest.len()),
+        (None, [one]) => format!(", given that {one}"),
+        (None, [one, two]) => format!(", given that {one} and {two}"),
+        (None, [one, rest @ ..]) => format!(", given that {one}, and {} other rules", rest.len()),
     };
     // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
     let speaks = |s: &usize| !of(*s).formula.objects().is_empty();

@@ -218,7 +218,9 @@ impl Named<'_> {
     fn sat_at(&self, item: usize) -> bool {
         const OTHER: [&str; 3] = ["reception", "front", "information"];
         let words = &self.brief.things[item].words;
-        words.last().is_some_and(|w| w == "desk") && !words.iter().any(|w| OTHER.contains(&w.as_str()))
+        self.brief.things[item].part.is_none()
+            && words.last().is_some_and(|w| w == "desk")
+            && !words.iter().any(|w| OTHER.contains(&w.as_str()))
     }
 
     /// Whether something hangs on a wall that is said to be above what stands in the middle of the room: not both can be.
