@@ -1,7 +1,7 @@
 //! What follows from what is said: seats for people, a fence around a robot.
 
 use crate::brief::{Brief, Fact, FactKind, Group, Look, Number, Rel, Thing, ThingOrigin};
-use crate::furnish::{FENCED, kinds};
+use crate::furnish::{FENCED, kinds, seats_at};
 use crate::read::lexicon::{get, plural, singular};
 
 /// How many sit on a seat, and at the table that goes with it.
@@ -75,7 +75,10 @@ fn seats_at_each(brief: &mut Brief) {
         brief.things.iter().position(|i| i.seats_each() && !brief.things.iter().any(|other| here(i.room, other)));
     let Some(table) = table.filter(|table| !brief.rooms[brief.things[*table].room].only) else { return };
     let (n, each, room) = (brief.count(table), brief.things[table].places.unwrap_or(1), brief.things[table].room);
-    push(brief, room, "chair", n * each, &format!("{each} people sit there"));
+    let (usual, seat) = seats_at(&brief.rooms[room].name, &brief.things[table].name()).unwrap_or((0, "chair"));
+    if usual < each {
+        push(brief, room, seat, n * each, &format!("{each} people sit there"));
+    }
 }
 
 /// The robot of a cell works behind a fence. Several share one only where the request says how.

@@ -450,6 +450,15 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
     }
 }
 
+/// How many seats, and of what kind, stand around a table of this name in a room of this name.
+pub fn seats_at(room: &str, table: &str) -> Option<(usize, &'static str)> {
+    let dress = kinds::of(room).map_or("", |kind| kind.dress);
+    groups::of(table, dress).iter().find_map(|part| match part.at {
+        groups::Where::Around(n, _) | groups::Where::LongSides(n, _) => Some((n, part.noun)),
+        _ => None,
+    })
+}
+
 /// The tables and desks for each that such a room has, where most of its people sit at a table that is asked for: "a
 /// classroom with a table for fifteen".
 fn places_elsewhere(draft: &Draft, brief: &Brief, at: usize) -> Vec<String> {

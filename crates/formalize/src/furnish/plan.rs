@@ -248,7 +248,10 @@ impl<'a> Plan<'a> {
     /// a reading nook is a chair to read in.
     pub(super) fn group_name<'n>(&self, category: &'n str) -> Cow<'n, str> {
         let noun = category.replace('_', " ");
-        if groups::listed(&noun, self.kind.dress).is_none()
+        // Nothing goes with a loft bed, whatever goes with other beds.
+        let is_bare = stand::group(&noun) == Group::Bed && groups::listed(&noun, self.kind.dress).is_some();
+        if groups::of(&noun, self.kind.dress).is_empty()
+            && !is_bare
             && let Some(line) = self.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun))
         {
             return Cow::Borrowed(line.noun);
