@@ -18,7 +18,7 @@ pub struct Choice<'a> {
     pub staffed: Option<Staff>,
     /// What it stands or hangs near: its place.
     pub near: Option<Pose>,
-    /// What each metre from there costs.
+    /// The cost of each metre from there.
     pub pull: f64,
     /// Where the beds of the room are, above whose heads no screen hangs.
     pub beds: &'a [Pose],
@@ -39,7 +39,7 @@ pub enum Staff {
     Around(Block),
 }
 
-/// What each metre from what it stands near costs, and from the window that it is said to be at.
+/// The cost of each metre between a thing and what it stands near, and between it and the window that it is said to be at.
 pub const PULL: [f64; 2] = [0.8, 3.0];
 /// Things beside each other of one kind are this far apart at least, where there is a choice (metres).
 const TOGETHER: f64 = 0.35;

@@ -21,7 +21,7 @@ const VISITOR: f64 = 0.4;
 /// Before an L-shaped desk or sofa, for what is said to look at it (metres).
 const FACING: f64 = 0.05;
 const SECOND: f64 = 0.25;
-/// A rug that is asked for and smaller than what is on it asks for.
+/// A requested rug that is smaller than usual, because there is no room for a larger one.
 const SMALLER: &str = "small rug";
 /// What is fenced in is so near to its fence (metres).
 const WITHIN: f64 = 0.8;

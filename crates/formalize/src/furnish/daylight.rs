@@ -20,7 +20,7 @@ const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 const WINDOWS: [[f64; 3]; 3] = [[1.4, 1.3, 0.12], [0.9, 1.2, 0.12], [0.6, 0.9, 0.12]];
 /// The height of a window whose sill is above worktops and taps.
 const OVER_WORKTOPS: f64 = 1.05;
-/// A window begins so high above the floor (metres).
+/// The usual height of a sill (metres).
 const SILL: f64 = 0.9;
 /// No room has more windows.
 const MOST: usize = 6;
@@ -91,7 +91,7 @@ fn cooks(plan: &Plan) -> bool {
     plan.kind.lines.iter().any(|line| line.noun == "kitchen counter")
 }
 
-/// The wall for so many windows, the middle of the first, and how many there is room for.
+/// The wall with the most room for so many windows, the middle of the first window, and how many fit.
 fn in_wall(plan: &Plan, count: usize, size: [f64; 3], step: f64) -> Option<(Wall, f64, usize)> {
     let room = plan.draft.rooms[plan.room].size;
     let watched = plan.kind.lines.iter().any(|line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Before(..)));
@@ -116,8 +116,8 @@ fn in_wall(plan: &Plan, count: usize, size: [f64; 3], step: f64) -> Option<(Wall
     row
 }
 
-/// Gives the windows that are asked for, and of which nothing else is said, the places that added ones would have. One over
-/// a sink waits for that.
+/// Gives requested windows without a stated position the places that added windows would have. A window over a sink waits
+/// until the sink has its place.
 pub fn place_windows(plan: &mut Plan) {
     let asked: Vec<Opening> = plan.draft.openings.iter().filter(|o| is_open(plan, o)).cloned().collect();
     let Some(first) = asked.first() else { return };
@@ -131,7 +131,7 @@ pub fn place_windows(plan: &mut Plan) {
     }
 }
 
-/// Gives a window that is over a sink of a kitchen its place.
+/// Places a window above the kitchen sink that it is said to be over.
 pub fn place_over(plan: &mut Plan) {
     let windows: Vec<Opening> = plan.draft.openings.iter().filter(|o| sink_below(plan, o).is_some()).cloned().collect();
     for window in windows {
@@ -144,7 +144,7 @@ pub fn place_over(plan: &mut Plan) {
     }
 }
 
-/// Whether a window of the room has no place, and none is said.
+/// Whether a window of the room has no place yet, and the request does not say where it is.
 fn is_open(plan: &Plan, window: &Opening) -> bool {
     const RELATED: [&str; 5] = ["connects(", "near(", "above(", "behind(", "inFrontOf("];
     let says = |s: &Statement| {
@@ -160,7 +160,7 @@ fn is_open(plan: &Plan, window: &Opening) -> bool {
         && !plan.draft.statements.iter().any(says)
 }
 
-/// The sink of a kitchen that a window without a place is said to be over.
+/// The kitchen sink that a window without a place is said to be over.
 fn sink_below(plan: &Plan, window: &Opening) -> Option<String> {
     if !cooks(plan) || window.kind != OpeningKind::Window || plan.draft.place_of(&window.name).is_some() {
         return None;
@@ -172,7 +172,8 @@ fn sink_below(plan: &Plan, window: &Opening) -> Option<String> {
     below.find(is_sink).map(str::to_owned)
 }
 
-/// Whether a statement only says that a window without a place is over a sink, or near it: the sink may stand anywhere.
+/// Whether a statement only says that a window without a place is over a sink or near it. It does not restrict where the sink
+/// stands, because the window follows the sink.
 pub fn is_moving_window(plan: &Plan, statement: &Statement) -> bool {
     let over = plan.draft.openings.iter().filter(|o| mentions(&statement.text, &o.name));
     over.into_iter().any(|window| {
@@ -183,7 +184,7 @@ pub fn is_moving_window(plan: &Plan, statement: &Statement) -> bool {
     })
 }
 
-/// The height of the sill of a window of which none is said: it is above what is said to be below it (metres).
+/// The height of a window's sill, if none is stated: above whatever is said to stand below the window (metres).
 pub fn sill(draft: &Draft, window: &Opening) -> f64 {
     let said = format!("{}.bottom = ", window.name);
     if let Some(said) = draft.statements.iter().find_map(|s| s.text.strip_prefix(&said)?.parse().ok()) {
@@ -195,7 +196,7 @@ pub fn sill(draft: &Draft, window: &Opening) -> f64 {
     usual.max(top_below(draft, &window.name).min(ceiling - window.size[1] - 0.02)).max(0.0)
 }
 
-/// The top of what a window is said to be above of, where that stands on the floor.
+/// The top of what is said to stand below a window.
 fn top_below(draft: &Draft, window: &str) -> f64 {
     let begin = format!("above({window}, ");
     let below = draft.statements.iter().filter_map(|s| s.text.strip_prefix(&begin)?.strip_suffix(')'));

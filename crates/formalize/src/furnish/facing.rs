@@ -43,7 +43,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     is_two(plan, thing, &facing, "") && stand::group(&it.category) == Group::Seat && stand::has_back(&it.category)
 }
 
-/// Whether a thing is so many sofas of which nothing is said, but that they are at a fire.
+/// Whether a thing is exactly so many sofas whose position is not stated, except that they are at a fireplace.
 pub fn is_set(plan: &Plan, thing: usize, count: usize) -> bool {
     let it = &plan.draft.things[thing];
     let is_sofa = ["sofa", "couch", "loveseat", "settee"].iter().any(|sofa| it.category.ends_with(sofa));
@@ -62,7 +62,7 @@ fn is_fire(thing: &DraftThing) -> bool {
     thing.category.ends_with("fireplace")
 }
 
-/// Gives three sofas a place around a low table, the first one where `seek` finds one. Whether there is one.
+/// Places three sofas around a low table, the first one where `seek` finds a place. Whether there is one.
 pub fn on_three_sides(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     let it = plan.draft.things[thing].clone();
     let Some([w, _, d]) = it.size else { return false };

@@ -62,7 +62,7 @@ pub fn of(name: &str, dress: &str) -> &'static [GroupPart] {
     listed(name, dress).unwrap_or_default()
 }
 
-/// The same, or nothing where the table does not have the name: a loft bed is there, and nothing goes with it.
+/// The same, or `None` if the table does not contain the name. A loft bed is in the table without any parts.
 pub fn listed(name: &str, dress: &str) -> Option<&'static [GroupPart]> {
     let groups = all();
     let words: Vec<&str> = name.split([' ', '_']).collect();

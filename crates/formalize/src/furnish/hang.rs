@@ -16,7 +16,7 @@ use crate::names::words;
 
 /// A table that is as long has its lamps over it (metres).
 const LONG: f64 = 1.5;
-/// What has its lamps over it, too.
+/// Furniture that has lamps above it, like tables.
 const LIT: [&str; 2] = ["island", "breakfast_bar"];
 /// So many lamps hang in a line over a table, or along the room.
 const LAMPS: usize = 4;

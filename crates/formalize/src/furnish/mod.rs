@@ -257,7 +257,7 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
 }
 
-/// How many of a thing there are that each of several others has one of, in such a room.
+/// How many of a thing there are, if each of several other requested things has exactly one of it in such a room.
 fn at_anchors(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
     let meant = |name: String| meant(kind, name);
     let noun = meant(brief.things[at].name());
