@@ -18,11 +18,8 @@ const FREE: u64 = 20_000_000;
 
 /// Solves and writes the layout; 0 if all hard constraints hold, else 1 with the best layout found.
 pub fn run(args: &Solve) -> u8 {
-    if args.scene.extension().is_some_and(|e| e.eq_ignore_ascii_case("json")) {
-        let name = args.scene.display();
-        return fail(&format!(
-            "{name} is not a program; `solve` takes a `.scene` file, and a layout to start from with --layout"
-        ));
+    if let Err(message) = is_program(&args.scene) {
+        return fail(&message);
     }
     let stop = interrupt::stop();
     interrupt::within(args.time.map(|time| patience(Duration::from_secs_f64(time))));
@@ -121,6 +118,15 @@ pub fn run(args: &Solve) -> u8 {
         }
     }
     if solved.first.layout().incomplete { INTERRUPTED } else { exit_code(&solved.first.checked.report) }
+}
+
+/// Refuses a layout in place of a program.
+fn is_program(scene: &Path) -> Result<(), String> {
+    if scene.extension().is_none_or(|e| !e.eq_ignore_ascii_case("json")) {
+        return Ok(());
+    }
+    let name = scene.display();
+    Err(format!("{name} is not a program; `solve` takes a `.scene` file, and a layout to start from with --layout"))
 }
 
 /// How long is waited for a search to begin that may take so long: from then on it looks at the time itself, and has a

@@ -26,6 +26,27 @@ fn book() -> Vec<(String, Value)> {
         .collect()
 }
 
+/// Another kind of file, or a misspelt name, in place of a program.
+#[test]
+fn what_is_no_program_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = r#"{"format": "scenelang.layout/1", "objects": {"a": {"position": [0, 0, 0], "rot": [0, 0, 0], "scale": [1, 1, 1]}}}"#;
+    fs::write(folder.path().join("room.layout.json"), text).unwrap();
+    fs::write(folder.path().join("room.scene"), "object a;\nassert a.pos.x >= 0;\n").unwrap();
+    for (args, said) in [
+        (&["solve", "room.layout.json"][..], "`solve` takes a `.scene` file, and a layout to start from with --layout"),
+        (&["synth", "bedroom.scen", "-o", "out"], "there is no file bedroom.scen; a program ends in `.scene`"),
+        (&["check", "room.layout.json"], "has no `pos`; `position` is not read"),
+        (&["check", "layout.scene"], "if this is a layout, pass its program"),
+    ] {
+        fs::write(folder.path().join("layout.scene"), text).unwrap();
+        let ended = scenelang(folder.path(), args.iter().copied());
+        let all = ended.stdout.clone() + &ended.stderr;
+        assert!(ended.code == 2 && all.contains(said), "{args:?}: {} {all}", ended.code);
+        assert!(!folder.path().join("out").exists(), "{args:?}");
+    }
+}
+
 #[test]
 fn the_examples_of_the_book_are_as_shown() {
     let examples = book();

@@ -1,4 +1,4 @@
-//! What a request names and no table knows: told, for it becomes a plain box, or a room with nothing of its own.
+//! Tells which objects and kinds of rooms of a request are in none of the tables: they become plain boxes and plain rooms.
 
 use crate::brief::{Brief, Group, Note, ThingOrigin};
 use crate::furnish::kinds;
@@ -19,15 +19,20 @@ pub fn notes(brief: &Brief) -> Vec<Note> {
     }
     let names = || kinds::all().iter().flat_map(|kind| std::iter::once(kind.name).chain(kind.also.iter().copied()));
     for room in brief.rooms.iter().filter(|room| !room.source.at().is_empty()) {
-        // A noun that no table knows was taken for a room: "a kitchn".
+        // A noun that is in no table was taken for a room: "a kitchn".
         let noun = room.name.strip_suffix(" room").unwrap_or(&room.name);
         let is_known = kinds::of(&room.name).is_some_and(|kind| kind.name != "room");
-        if let Some(meant) = suggest::nearest(noun, names()).filter(|meant| !is_known && *meant != noun) {
+        if let Some(meant) = suggest::nearest(noun, names()).filter(|meant| !is_known && is_slip(noun, meant)) {
             out.push(Note { at: room.source.at(), reason: format!("unknown kind of room{}", question(Some(meant))) });
         }
     }
     out.dedup();
     out
+}
+
+/// Whether a word is probably a misspelling of another: "kitchn" of "kitchen", and "scriptorium" not of "auditorium".
+fn is_slip(noun: &str, meant: &str) -> bool {
+    noun != meant && noun.chars().next() == meant.chars().next()
 }
 
 fn question(meant: Option<&str>) -> String {

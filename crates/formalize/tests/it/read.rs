@@ -24,6 +24,24 @@ fn literal(request: &str) -> (Vec<String>, Vec<String>) {
     (things, stated.map(Statement::line).collect())
 }
 
+/// What no table knows is told, and nothing is told of what is known.
+#[test]
+fn unknown_objects_and_rooms_are_told() {
+    for (request, want) in [
+        ("A room with a chair and a flurb", Some("unknown object, drawn as a plain box")),
+        ("a kitchn with an oven", Some("unknown kind of room; did you mean \"kitchen\"?")),
+        ("A kitchen with an oven", None),
+        ("A scriptorium with two desks", None),
+        ("A large room with a table", None),
+    ] {
+        let notes: Vec<String> = read(request, &LITERAL).draft.notes.into_iter().map(|n| n.reason).collect();
+        match want {
+            Some(want) => assert!(notes.iter().any(|n| n.starts_with(want)), "{request}: {notes:?}"),
+            None => assert!(!notes.iter().any(|n| n.starts_with("unknown")), "{request}: {notes:?}"),
+        }
+    }
+}
+
 /// Phrase, things, pieces of statements. One a line, in `read.txt`.
 #[test]
 fn phrases_become_statements() {

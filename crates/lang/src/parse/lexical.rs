@@ -260,7 +260,9 @@ fn unknown(slice: &str, range: TextRange, number: Option<Token>) -> Diagnostic<T
             diagnostic.fix(Applicability::Safe, "write an ordinary space", one, " ")
         }
         c if invisible(c) => diagnostic.fix(Applicability::Safe, "remove it", one, ""),
-        '{' if place.start == 0 => diagnostic.note("this looks like a layout; pass its program, a `.scene` file"),
+        '{' if place.start == 0 => {
+            diagnostic.note("the language has no blocks; if this is a layout, pass its program, a `.scene` file")
+        }
         '{' | '}' => diagnostic.note("the language has no blocks; a statement ends with `;`"),
         '#' => diagnostic.note("a comment begins with `//`"),
         c if c.is_ascii() => diagnostic,

@@ -207,10 +207,13 @@ impl Reader<'_, '_> {
 
     /// `pos`, `rot` and `scale` of an object or region; all are looked at before giving up.
     fn place(&mut self, owner: &Member, members: &[Member]) -> Option<[Vec3; 3]> {
-        let missing: Vec<String> =
-            ["pos", "scale"].iter().filter(|k| find(members, k).is_none()).map(|k| format!("`{k}`")).collect();
+        let missing: Vec<&str> = ["pos", "scale"].into_iter().filter(|k| find(members, k).is_none()).collect();
         if !missing.is_empty() {
-            let say = format!("`{}` has no {}", owner.key, missing.join(" and no "));
+            // A member that nothing reads, under a longer name: `position`.
+            let is_like = |m: &&Member| missing.iter().any(|key| m.key.len() > key.len() && m.key.starts_with(key));
+            let like = members.iter().find(is_like).map_or(String::new(), |m| format!("; `{}` is not read", m.key));
+            let named: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
+            let say = format!("`{}` has no {}{like}", owner.key, named.join(" and no "));
             self.error(codes::E0503, owner.key_range, say);
         }
         let what = |key: &str| format!("`{key}` of `{}`", owner.key);
@@ -301,11 +304,7 @@ impl Reader<'_, '_> {
         let found = find(members, key).map(|m| &m.node);
         if found.is_none() {
             let brace = TextRange::new(node.range.start as usize, node.range.start as usize + 1);
-            // A member that nothing reads, under a longer name: `position`.
-            let is_like = |m: &&Member| m.key.len() > key.len() && m.key.starts_with(key);
-            let like = members.iter().find(is_like).map(|m| m.key.as_str());
-            let meant = like.map_or(String::new(), |like| format!("; `{like}` is not read"));
-            self.error(codes::E0503, brace, format!("{owner} has no `{key}`{meant}"));
+            self.error(codes::E0503, brace, format!("{owner} has no `{key}`"));
         }
         found
     }
