@@ -151,6 +151,11 @@ fn children(brief: &mut Brief, people: usize) {
 
 /// What is in the home goes to the rooms where such things are; what is said of several things together keeps them together.
 fn divide(brief: &mut Brief, at: usize) {
+    for i in 0..brief.things.len() {
+        if is_listed_beside(brief, at, i) {
+            brief.things[i].room = at;
+        }
+    }
     let own: Vec<usize> = (0..brief.things.len()).filter(|i| brief.things[*i].room == at).collect();
     // What belongs together, by the smallest index.
     let mut group: Vec<usize> = (0..brief.things.len()).collect();
@@ -186,6 +191,21 @@ fn divide(brief: &mut Brief, at: usize) {
             }
         }
     }
+}
+
+/// "A house with a kitchen, a sofa and a bed": what is listed with a room, and what such a room never has, is in the house.
+fn is_listed_beside(brief: &Brief, home: usize, thing: usize) -> bool {
+    const OF_ITS_OWN: [&str; 8] = [" with ", " has ", " having ", " in ", " containing ", " including ", " its ", "."];
+    let it = &brief.things[thing];
+    if it.room == home || it.part.is_some() || it.opening() {
+        return false;
+    }
+    let between = brief.rooms[it.room].source.at().end..it.source.at().start;
+    let said = brief.request.get(between).map(str::to_lowercase);
+    let is_listed =
+        said.is_some_and(|said| said.starts_with([',', ' ']) && !OF_ITS_OWN.iter().any(|word| said.contains(word)));
+    let others: Vec<usize> = (0..brief.rooms.len()).filter(|room| *room != home && *room != it.room).collect();
+    is_listed && where_such_are(brief, &[it.room], thing).is_none() && where_such_are(brief, &others, thing).is_some()
 }
 
 /// The room whose kind has such a thing.

@@ -24,6 +24,8 @@ const APART: f64 = 0.8;
 const ASIDE: [&str; 3] = ["bench", "chair", "visitor chair"];
 /// What is said to be so stands away from the walls.
 const FREE: [&str; 2] = ["freestanding", "free-standing"];
+/// What is asked for and finds no place counts like so many that stand badly.
+const UNPLACED: usize = 2;
 /// Before this an island stands.
 const COUNTER: &str = "kitchen counter";
 /// The width of a desk for two (metres).
@@ -333,7 +335,8 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
     let turn = [island_turn(plan)];
     let central = like.central || says(&format!("centeredIn({},", it.name));
-    let yaws: &[f64] = match says(&format!("{}.rot.y = 90", it.name)) {
+    let is_across = says(&format!("{}.rot.y = 90", it.name)) || says(&format!("forall a in {}: a.rot.y = 90", it.name));
+    let yaws: &[f64] = match is_across {
         true => &[90.0],
         false if it.category.ends_with("island") => &turn,
         false if groups::is_visited(&noun, plan.kind.dress) => &[0.0, 90.0, 180.0, 270.0],
@@ -405,7 +408,8 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         && stand::group(&it.category) == Group::Table
         && groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat);
     // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
-    plan.lacking += usize::from(!placed || is_scattered || is_close.get() || is_behind.get());
+    let is_wanting = is_scattered || is_close.get() || is_behind.get();
+    plan.lacking += if placed { usize::from(is_wanting) } else { UNPLACED };
     placed
 }
 

@@ -406,11 +406,11 @@ fn hung_at(plan: &Plan, line: &Line, height: f64) -> f64 {
 pub(super) fn above_low(plan: &Plan, line: &Line) -> f64 {
     const LOW: f64 = 1.3;
     const OVER: f64 = 0.55;
-    let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !line.by.is_empty());
-    let thing = things.find(|t| t.category.replace('_', " ").ends_with(line.by));
-    thing
-        .and_then(|t| t.size)
-        .map_or(0.0, |[_, h, _]| if h < LOW && !stand::has_back(line.by) { h + OVER } else { 0.0 })
+    // What is at the back of a hall is seen over the stage.
+    let by = if matches!(line.place, PlanPlace::Back(_)) { "stage" } else { line.by };
+    let mut things = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && !by.is_empty());
+    let thing = things.find(|t| t.category.replace('_', " ").ends_with(by));
+    thing.and_then(|t| t.size).map_or(0.0, |[_, h, _]| if h < LOW && !stand::has_back(by) { h + OVER } else { 0.0 })
 }
 
 /// Nothing more stands between a thing and what it is opposite of.

@@ -91,7 +91,7 @@ fn shaped(brief: &mut Brief) {
     const SHAPES: [(&str, &str); 2] = [("l", "corner kitchen"), ("u", "bay kitchen")];
     for room in brief.rooms.iter_mut().filter(|room| room.name == "kitchen") {
         let said = brief.request.get(room.source.at()).unwrap_or("").to_lowercase();
-        let is = |letter: &str| [" ", "-"].iter().any(|mark| said.contains(&format!("{letter}{mark}shaped kitchen")));
+        let is = |letter: &str| [" ", "-"].iter().any(|mark| said.contains(&format!("{letter}{mark}shaped")));
         if let Some((_, kind)) = SHAPES.iter().find(|(letter, _)| is(letter)) {
             (*kind).clone_into(&mut room.name);
         }
@@ -122,6 +122,8 @@ pub fn refine(brief: &mut Brief) {
     whom::instruments(brief);
     bedside_lamps(brief);
     named(brief);
+    team(brief);
+    stools_at_counter(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
         let n = match rows(brief, at) {
@@ -184,6 +186,37 @@ fn bedside_lamps(brief: &mut Brief) {
             thing.words.insert(0, "bedside".into());
             thing.last = 2;
             thing.group = Group::Top;
+        }
+    }
+}
+
+/// An office in which so many have desks is one for a team.
+fn team(brief: &mut Brief) {
+    const DESKS: usize = 4;
+    for at in 0..brief.rooms.len() {
+        let own = brief.things.iter().filter(|thing| thing.room == at && thing.part.is_none());
+        let is_desk = |name: &str| name.ends_with("desk") || name.ends_with("workstation");
+        let desks: usize = own.filter(|thing| is_desk(&thing.name())).filter_map(|thing| thing.number.said()).sum();
+        if desks >= DESKS && kinds::of(&brief.rooms[at].name).is_some_and(|kind| kind.name == "office") {
+            "open-plan office".clone_into(&mut brief.rooms[at].name);
+        }
+    }
+}
+
+/// "A coffee shop with a counter and five stools": the counter is a bar, at which they stand.
+fn stools_at_counter(brief: &mut Brief) {
+    for at in 0..brief.things.len() {
+        let room = brief.things[at].room;
+        let serves =
+            brief.rooms.get(room).and_then(|room| kinds::of(&room.name)).is_some_and(|kind| kind.dress == "food");
+        let others = || brief.things.iter().filter(|other| other.room == room);
+        let has_stools = others().any(|other| other.name().ends_with("stool") && other.number != Number::Exactly(1));
+        let has_bar = others().any(|other| {
+            other.name().contains("bar counter") || other.group == Group::Table && other.name().contains("high")
+        });
+        if serves && has_stools && !has_bar && brief.things[at].words == ["counter"] {
+            brief.things[at].words.insert(0, "bar".into());
+            brief.things[at].last = 2;
         }
     }
 }
@@ -264,7 +297,9 @@ fn at_anchors(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<
     let others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == brief.things[at].room);
     let has_one = |other: usize| {
         let parts = groups::of(&meant(brief.things[other].name()), kind.dress);
-        let mut like = parts.iter().filter(|part| part.noun == noun && stand::group(part.noun) != Group::Seat);
+        let mut like = parts.iter().filter(|part| {
+            (part.noun == noun || stand::are_kin(part.noun, &noun)) && stand::group(part.noun) != Group::Seat
+        });
         matches!((like.next(), like.next()), (Some(_), None))
     };
     others.filter(|other| brief.count(*other) > 1 && has_one(*other)).map(|other| brief.count(other)).next()

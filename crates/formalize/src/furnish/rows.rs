@@ -351,7 +351,9 @@ fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
         PlanPlace::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
         _ => None,
     });
-    let stage = plan.kind.lines.iter().find(|line| line.noun == "stage" && matches!(line.place, PlanPlace::Back(_)));
+    let has_stage = plan.draft.things.iter().any(|thing| thing.room == Some(plan.room) && thing.category == "stage");
+    let at_back = |line: &&Line| line.noun == "stage" && matches!(line.place, PlanPlace::Back(_));
+    let stage = plan.kind.lines.iter().find(at_back).filter(|_| has_stage);
     let ahead = stage.map_or(2.6_f64.min(0.33 * depth), |line| Plan::size(line.noun)[2] + BEFORE_STAGE);
     counter.map_or(ahead, |gap| gap.min(most.max(0.42 * depth)))
 }

@@ -8,9 +8,9 @@ use super::seek;
 /// So much is free at the walls, and at least so much between two of them (metres).
 const WALLS: f64 = 0.6;
 const WAY: f64 = 0.6;
-/// So many distances from one to the next are tried, and so many places of the whole.
-const STEPS: usize = 4;
-const SHIFTS: i32 = 2;
+/// So many distances from one to the next are tried, and so many places of the whole; more of them where none of these will do.
+const STEPS: [usize; 2] = [4, 8];
+const SHIFTS: [i32; 2] = [2, 5];
 /// Of the arrangements so many are held against the ways.
 const TRIED: usize = 8;
 /// A wall is as good as something that is so much nearer (metres).
@@ -21,21 +21,22 @@ const FAR: f64 = 2.5;
 /// A metre off the middle is worth so much room.
 const OFF: f64 = 0.1;
 
-/// Places in a line: the first of them and the distance from each to the next.
-fn lines(length: f64, cell: f64, n: usize) -> Vec<(f64, f64)> {
+/// Places in a line: the first of them and the distance from each to the next; more finely the second time.
+fn lines(length: f64, cell: f64, n: usize, time: usize) -> Vec<(f64, f64)> {
     let free = length - 2.0 * WALLS - cell;
     let between = (n - 1) as f64;
     if free < -1e-9 || n > 1 && free < between * (cell + WAY) {
         return Vec::new();
     }
-    let steps = if n > 1 { STEPS } else { 1 };
+    let steps = if n > 1 { STEPS[time] } else { 1 };
+    let shifts = SHIFTS[time];
     let mut out = Vec::new();
     for i in 0..steps {
         let (widest, least) = if n > 1 { (free / between, cell + WAY) } else { (0.0, 0.0) };
-        let step = widest - (widest - least) * i as f64 / STEPS as f64;
+        let step = widest - (widest - least) * i as f64 / STEPS[time] as f64;
         let slack = free - step * between;
-        for k in -SHIFTS..=SHIFTS {
-            out.push((slack * f64::from(k) / f64::from(2 * SHIFTS) - step * between / 2.0, step));
+        for k in -shifts..=shifts {
+            out.push((slack * f64::from(k) / f64::from(2 * shifts) - step * between / 2.0, step));
             if slack < 0.05 {
                 break;
             }
@@ -50,6 +51,10 @@ impl Choice<'_> {
         if !(2..=MOST).contains(&n) || self.near.is_some() {
             return None;
         }
+        [0, 1].iter().find_map(|time| self.spread_once(floor, shape, (n, yaws), *time))
+    }
+
+    fn spread_once(&self, floor: &Floor, shape: &Shape, (n, yaws): (usize, &[f64]), time: usize) -> Option<Vec<Pose>> {
         let [w, _, d] = floor.size;
         let mut found: Vec<(f64, Vec<Pose>)> = Vec::new();
         for yaw in yaws {
@@ -62,8 +67,8 @@ impl Choice<'_> {
                 if columns * rows - n > 1 {
                     continue;
                 }
-                for (x, step_x) in lines(w, cell[0], columns) {
-                    for (z, step_z) in lines(d, cell[1], rows) {
+                for (x, step_x) in lines(w, cell[0], columns, time) {
+                    for (z, step_z) in lines(d, cell[1], rows, time) {
                         let at = |i: usize| Pose {
                             x: x + step_x * (i % columns) as f64 - off[0],
                             y: 0.0,

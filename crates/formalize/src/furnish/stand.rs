@@ -69,7 +69,7 @@ pub fn is_easy(chair: &str) -> bool {
 }
 
 /// What guests use, beside seats: it does not stand behind the counter of those who serve them.
-const GUESTS: [&str; 24] = [
+const GUESTS: [&str; 26] = [
     "arcade machine",
     "atm",
     "bistro table",
@@ -82,6 +82,7 @@ const GUESTS: [&str; 24] = [
     "dartboard",
     "display table",
     "fitting room",
+    "high table",
     "jukebox",
     "kiosk",
     "low table",
@@ -91,6 +92,7 @@ const GUESTS: [&str; 24] = [
     "pool table",
     "scale",
     "shopping basket",
+    "standing table",
     "umbrella stand",
     "vending machine",
     "water dispenser",
@@ -166,6 +168,14 @@ pub fn counts_as(noun: &str, asked: &str) -> bool {
     // Nor is a counter at which one sits and looks out the one at which guests are served.
     if noun.starts_with(AT_WINDOW) != asked.starts_with(AT_WINDOW) {
         return false;
+    }
+    // Who asks for an armchair in a nursery has it in the place of the rocking chair.
+    if noun == "rocking chair" && asked == "armchair" {
+        return true;
+    }
+    // A child has one bed: what is asked for instead of it.
+    if noun == "single bed" && asked.ends_with(" bed") && group(asked) == Group::Bed {
+        return true;
     }
     fn last(text: &str) -> &str {
         text.rsplit(' ').next().unwrap_or(text)

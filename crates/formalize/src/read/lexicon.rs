@@ -396,7 +396,7 @@ pub fn singular(word: &str) -> String {
         ("scarves", "scarf"),
         ("men", "man"),
     ];
-    const SAME: [&str; 31] = [
+    const SAME: [&str; 32] = [
         "clothes",
         "scissors",
         "tongs",
@@ -416,6 +416,7 @@ pub fn singular(word: &str) -> String {
         "cutlery",
         "headphones",
         "lens",
+        "tapas",
         "bus",
         "billiards",
         "series",

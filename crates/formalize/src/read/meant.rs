@@ -51,6 +51,76 @@ pub(super) fn ring(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A kitchen with an L-shaped counter": a kitchen whose worktops turn a corner.
+pub(super) fn shaped_counter(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "kitchen" || word(tokens, i + 1) != "with" || !matches!(word(tokens, i + 2), "a" | "an") {
+        return false;
+    }
+    let is_shaped = matches!(word(tokens, i + 3), "l-shaped" | "u-shaped");
+    if !is_shaped || !matches!(word(tokens, i + 4), "counter" | "worktop" | "countertop" | "run" | "unit" | "layout") {
+        return false;
+    }
+    // What follows is said of the kitchen.
+    let goes_on = tokens.get(i + 5).is_some_and(|t| t.is("and") || t.kind == WordKind::Sign(','));
+    let and = usize::from(goes_on);
+    put(tokens, i, i + 5 + and, if goes_on { &["kitchen", "with"] } else { &["kitchen"] });
+    true
+}
+
+/// "A basement with a pool table": no cellar for things that nobody needs.
+pub(super) fn basement(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const PLAYS: [&str; 8] = ["pool", "billiard", "billiards", "snooker", "ping-pong", "foosball", "bar", "darts"];
+    if !matches!(word(tokens, i), "basement" | "cellar") || word(tokens, i + 1) != "with" {
+        return false;
+    }
+    if !tokens[i..].iter().any(|t| PLAYS.iter().any(|plays| t.is(plays))) {
+        return false;
+    }
+    put(tokens, i, i + 1, &["games", "room"]);
+    true
+}
+
+/// "For a family with two children": so many people, and their parents.
+pub(super) fn with_children(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let group = matches!(word(tokens, i), "family" | "couple") && word(tokens, i + 1) == "with";
+    let Some((n, words)) = number::count(tokens.get(i + 2..).unwrap_or(&[])).filter(|_| group) else { return false };
+    let end = i + 2 + words;
+    if !matches!(word(tokens, end), "children" | "kids" | "child" | "kid" | "teenagers") {
+        return false;
+    }
+    let from = i - usize::from(i > 0 && matches!(word(tokens, i - 1), "a" | "one" | "the"));
+    const NUMBERS: [&str; 5] = ["three", "four", "five", "six", "seven"];
+    let Some(all) = (n >= 1.0).then(|| NUMBERS.get(n as usize - 1)).flatten() else { return false };
+    put(tokens, from, end + 1, &[all, "people"]);
+    true
+}
+
+/// "Tables for groups of four" are group tables.
+pub(super) fn group_tables(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let groups =
+        matches!([word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)], ["tables", "for", "groups" | "group"]);
+    if !groups {
+        return false;
+    }
+    let of = number::count(tokens.get(i + 4..).unwrap_or(&[])).filter(|_| word(tokens, i + 3) == "of");
+    let end = of.map_or(i + 3, |(_, words)| i + 4 + words);
+    let end = end + usize::from(matches!(word(tokens, end), "work" | "people" | "pupils" | "students"));
+    put(tokens, i, end, &["group", "tables"]);
+    true
+}
+
+/// "A four-poster bed" is a canopy bed.
+pub(super) fn four_poster(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let words = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
+        ["four-poster", "bed", _] => 2,
+        ["four", "poster", "bed"] => 3,
+        ["four-poster", ..] => 1,
+        _ => return false,
+    };
+    put(tokens, i, i + words, &["canopy", "bed"]);
+    true
+}
+
 /// "A garage for two cars with a workbench", "for a car with bikes": the garage has the workbench.
 pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
     const VEHICLES: [&str; 8] = ["car", "van", "truck", "bike", "bicycle", "motorcycle", "motorbike", "vehicle"];

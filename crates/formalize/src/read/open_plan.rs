@@ -52,14 +52,19 @@ fn one_room(tokens: &mut Vec<Token>) {
         ("working", &["a", "desk"]),
         ("office", &["a", "desk"]),
     ];
-    let Some(home) = tokens.iter().position(|t| t.is("loft") || t.is("studio")) else { return };
+    let is_tiny = |i: usize| word(tokens, i) == "tiny" && matches!(word(tokens, i + 1), "house" | "home");
+    let is_one = |i: &usize| matches!(word(tokens, *i), "loft" | "studio") || is_tiny(*i);
+    let Some(home) = (0..tokens.len()).find(is_one) else { return };
+    let tiny = is_tiny(home);
     let mut i = home + 1;
     while i < tokens.len() {
         let adjective = usize::from(matches!(word(tokens, i + 1), "open" | "separate" | "small" | "large"));
         let name = word(tokens, i + 1 + adjective).to_owned();
         let placed = matches!(word(tokens, i + 2 + adjective), "area" | "space" | "zone" | "corner" | "nook");
-        let open = adjective > 0 && word(tokens, i + 1) == "open" && name == "kitchen";
-        if let (true, Some((_, has))) =
+        let open = name == "kitchen" && (tiny || adjective > 0 && word(tokens, i + 1) == "open");
+        if matches!(word(tokens, i), "a" | "an") && matches!(word(tokens, i + 1), "workspace" | "workplace") {
+            put(tokens, i, i + 2, &["a", "desk"]);
+        } else if let (true, Some((_, has))) =
             (matches!(word(tokens, i), "a" | "an") && (placed || open), AREAS.iter().find(|(area, _)| *area == name))
         {
             put(tokens, i, i + 2 + adjective + usize::from(placed), has);

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 39] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 44] = [
             apart,
             together,
             each_other,
@@ -27,6 +27,11 @@ pub fn plain(tokens: &mut Vec<Token>) {
             distance,
             meant::walls,
             meant::ring,
+            meant::shaped_counter,
+            meant::basement,
+            meant::four_poster,
+            meant::with_children,
+            meant::group_tables,
             meant::vehicles,
             meant::audience,
             meant::window_counter,
