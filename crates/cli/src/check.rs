@@ -123,7 +123,7 @@ pub fn judge(
             None => scenelang_analysis::judge(&question, &found, loader),
         },
         JudgeTarget::Empty(_) => {
-            let say = format!("there is no .scene and no .layout.json file in {name}");
+            let say = format!("there is neither a .scene nor a .layout.json file in {name}");
             nothing(Diagnostic::without_place(codes::E0001, say))
         }
         JudgeTarget::Carrier(path, kind) => match embedded::read(&name, path, *kind, loader) {

@@ -249,7 +249,10 @@ pub fn text(path: &Path) -> Result<String, String> {
 pub fn notes(reading: &Reading) -> String {
     let mut out = String::new();
     let clauses = if reading.clauses == 1 { "clause" } else { "clauses" };
-    let _ = writeln!(out, "understood {} of {} {clauses}", reading.understood, reading.clauses);
+    let _ = match reading.clauses {
+        0 => writeln!(out, "the request is empty"),
+        n => writeln!(out, "understood {} of {n} {clauses}", reading.understood),
+    };
     if !reading.words.is_empty() {
         let _ = writeln!(out, "{}", accounted(reading));
     }

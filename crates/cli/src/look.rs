@@ -5,6 +5,7 @@ use crate::{FAILED, GOOD, manual, out, words};
 use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
+use scenelang_lang::library;
 use scenelang_verify::schemas;
 
 /// Shows the page of a code, or what a word of the language means.
@@ -20,12 +21,16 @@ pub fn explain(args: &Explain) -> u8 {
         out::show(&found.join("\n"));
         return GOOD;
     }
-    eprintln!("error: `{word}` is not a code, predicate, function, property, setting or command");
+    eprintln!("error: `{word}` is not a code, keyword, predicate, function, property, setting or command");
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
+    if library::is_known(&word) {
+        eprintln!("  it is a category: `scenelang categories {word}` shows its usual size");
+        return FAILED;
+    }
     let near = suggest::nearest(&word.to_uppercase(), all).map(str::to_owned);
     match near.or_else(|| words::nearest_of_all(&word)) {
         Some(near) => eprintln!("  did you mean `{near}`?"),
-        None => eprintln!("  codes look like E0201, W0302 or V0101; the book describes keywords such as `assert`"),
+        None => eprintln!("  codes look like E0201, W0302 or V0101"),
     }
     FAILED
 }

@@ -83,7 +83,7 @@ fn file_name(command: &Command) -> String {
 fn find<'c>(whole: &'c Command, words: &[String]) -> Result<&'c Command, String> {
     words.iter().try_fold(whole, |command, word| {
         command.find_subcommand(word).ok_or_else(|| {
-            let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+            let names: Vec<&str> = below(command).map(Command::get_name).collect();
             match names.is_empty() {
                 true => format!("{} has no commands of its own", called(command)),
                 false => format!("{} has no command `{word}`; it has {}", called(command), names.join(", ")),

@@ -121,7 +121,7 @@ fn for_people(
     }
     let mut out = String::new();
     for (id, _, text) in told.failing(failing) {
-        out += &format!("violated: {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+        out += &format!("does not hold: {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
     }
     if let Some(found) = contradiction {
         out += "no layout satisfies all of these statements:\n";

@@ -4,7 +4,7 @@ use crate::args::{Categories, Plain};
 use crate::{FAILED, GOOD, manual};
 use scenelang_assets::family_of;
 use scenelang_base::suggest;
-use scenelang_ide::hover;
+use scenelang_ide::{hover, keywords};
 use scenelang_lang::library;
 use scenelang_lang::natives;
 use scenelang_lang::nouns;
@@ -24,7 +24,7 @@ const CHAPTERS: [&str; 7] = [
     include_str!("../../../spec/src/reference/built-in.md"),
 ];
 
-/// What a predicate, function or property means, with examples where the book has them.
+/// What a keyword, predicate, function or property means, with examples where the book has them.
 pub fn meaning(word: &str) -> Option<String> {
     let mut out = String::new();
     if let Some(section) = CHAPTERS.iter().find_map(|chapter| section(chapter, word)) {
@@ -33,6 +33,8 @@ pub fn meaning(word: &str) -> Option<String> {
         let _ = writeln!(out, "{predicate}");
     } else if natives::is_built_in(word) {
         let _ = writeln!(out, "{}", hover::built_ins(word));
+    } else if let Some(says) = keywords::says(word) {
+        let _ = writeln!(out, "{says}");
     }
     for (owner, table) in [("object", natives::OBJECT_PROPERTIES), ("region", natives::REGION_PROPERTIES)] {
         if let Some(property) = table.iter().find(|p| p.name == word) {
@@ -47,7 +49,7 @@ pub fn meaning(word: &str) -> Option<String> {
 pub fn nearest(word: &str) -> Option<&'static str> {
     let properties = [natives::OBJECT_PROPERTIES, natives::REGION_PROPERTIES].into_iter().flatten().map(|p| p.name);
     let built_in = natives::BUILT_INS.iter().map(|s| s.name);
-    suggest::nearest(word, library::names().chain(built_in).chain(properties))
+    suggest::nearest(word, library::names().chain(built_in).chain(properties).chain(keywords::all()))
 }
 
 /// The same among words of the language, settings and commands together.
@@ -136,8 +138,12 @@ fn section(chapter: &str, word: &str) -> Option<String> {
 /// Lists the categories that are known, or those with a word in them.
 pub fn categories(args: &Categories) -> u8 {
     let word = args.word.as_deref().unwrap_or_default().to_lowercase();
-    let found: Vec<&(String, [f64; 3])> =
-        library::categories().iter().filter(|(name, _)| name.contains(&word)).collect();
+    let containing = |word: &str| -> Vec<&(String, [f64; 3])> {
+        library::categories().iter().filter(|(name, _)| name.contains(word)).collect()
+    };
+    // Adjectives may stand before a category.
+    let ends = std::iter::once(word.as_str()).chain(word.match_indices(' ').map(|(at, _)| &word[at + 1..]));
+    let found = ends.map(containing).find(|found| !found.is_empty()).unwrap_or_default();
     if found.is_empty() {
         eprintln!("error: no category contains `{word}`");
         if let Some(near) = library::nearest_category(&word) {

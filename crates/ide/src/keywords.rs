@@ -63,9 +63,14 @@ const WORDS: &[(&str, &str, &str)] = &[
 ];
 
 /// What a word of the language says: how it is written, and a sentence.
-pub(crate) fn says(word: &str) -> Option<String> {
+pub fn says(word: &str) -> Option<String> {
     let (_, says, example) = WORDS.iter().find(|(known, ..)| *known == word)?;
     Some(format!("```scene\n{example}\n```\n\n`{word}` {says}"))
+}
+
+/// All keywords that have such a sentence.
+pub fn all() -> impl Iterator<Item = &'static str> {
+    WORDS.iter().map(|(word, ..)| *word)
 }
 
 #[cfg(test)]

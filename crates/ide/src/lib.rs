@@ -16,7 +16,7 @@ pub mod forms;
 pub mod hints;
 mod host;
 pub mod hover;
-mod keywords;
+pub mod keywords;
 pub mod moving;
 pub mod names;
 pub mod navigate;

@@ -235,13 +235,17 @@ fn message(code: Code, kinds: &[&str]) -> String {
     }
     let one = kinds.len() == 1;
     if code == codes::W0604 {
-        let drawn = if one { "it is drawn as something similar" } else { "they are drawn as something similar" };
+        let drawn = if one {
+            "such an object is drawn as something similar"
+        } else {
+            "such objects are drawn as something similar"
+        };
         format!("the library has no shape of its own for {list}; {drawn}")
     } else if code == codes::W0601 {
-        let turns = if one { "it becomes a labelled box" } else { "they become labelled boxes" };
+        let turns = if one { "such an object becomes a labelled box" } else { "such objects become labelled boxes" };
         format!("the library has no model for {list}; {turns}")
     } else {
-        let turns = if one { "it becomes a cube" } else { "they become cubes" };
+        let turns = if one { "such an object becomes a cube" } else { "such objects become cubes" };
         format!("there is no usual size for {list}; {turns} of {DEFAULT_EDGE} m")
     }
 }
@@ -379,8 +383,8 @@ mod tests {
         };
         all(
             [
-                ("W0601 the library has no model for \"gizmo\"; it becomes a labelled box", "", asset),
-                ("W0602 there is no usual size for \"gizmo\"; it becomes a cube of 0.5 m", "", size),
+                ("W0601 the library has no model for \"gizmo\"; such an object becomes a labelled box", "", asset),
+                ("W0602 there is no usual size for \"gizmo\"; such an object becomes a cube of 0.5 m", "", size),
             ],
             &["gizmo", "chair", "gizmo"],
         );

@@ -58,7 +58,7 @@ pub enum Command {
     Fmt(Fmt),
     /// Write a small commented program as a starting point
     New(New),
-    /// Explain a code, predicate, function, property, setting or command, with examples
+    /// Explain a code, keyword, predicate, function, property, setting or command, with examples
     Explain(Explain),
     /// List the known categories of objects with their usual sizes, roles and furniture
     Categories(Categories),

@@ -4,7 +4,7 @@
 use super::stand::{FramePose, Standing, transform};
 use super::{Embedded, embedded, nothing};
 use nalgebra::Matrix4;
-use scenelang_base::Diagnostic;
+use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::sources::{Loader, unreadable};
 use serde_json::Value;
 use std::path::Path;
@@ -17,7 +17,9 @@ const MOST: usize = 100_000;
 /// Reads a GLB file.
 pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
     let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
-    let Some(document) = json_chunk(&bytes) else { return Err(nothing(format!("{name} is not a GLB file"))) };
+    let Some(document) = json_chunk(&bytes) else {
+        return Err(Box::new(Diagnostic::without_place(codes::E0008, format!("{name} is not a GLB file"))));
+    };
     let scene = &document["scenes"][document["scene"].as_u64().unwrap_or(0) as usize];
     let own = &scene["extras"]["scenelang"];
     let (Some(spec), Some(layout)) = (own["spec"].as_str(), own["layout"].as_str()) else {

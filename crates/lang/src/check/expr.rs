@@ -5,6 +5,7 @@ use super::constant;
 use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt, UnitSuffix};
 use crate::hir::{Hir, Local, LocalKind, Resolution};
 use crate::items::{ItemKind, Names, whole_number};
+use crate::library;
 use crate::natives::{self, ROOMS, SIDES, STATIC_PROPERTIES, Signature, property};
 use crate::program::Comparison;
 use crate::types::Ty;
@@ -268,9 +269,19 @@ impl<'n, 'a> Checker<'n, 'a> {
         let mut d = Diagnostic::new(codes::E0201, Where::Here(range), format!("`{name}` is not declared"));
         let declared = self.names.declared();
         let locals = self.scope.iter().map(|local| self.locals[*local].name.as_str());
-        let near = locals.chain(declared.iter().map(SmolStr::as_str));
+        // A single letter is like any other.
+        let is_short = name.chars().count() < 2;
+        let near = locals.chain(declared.iter().map(SmolStr::as_str)).filter(|near| !is_short && near.len() > 1);
         if natives::is_built_in(name) || self.names.predicate(name).is_some() {
             d = d.note(format!("`{name}` is a predicate or function: it takes arguments, `{name}(…)`"));
+        } else if library::colors().any(|color| color == name) {
+            let text = format!("\"{name}\"");
+            d = d.label("a color or material is written in quotes").fix(
+                Applicability::Unsafe,
+                format!("write `{text}`"),
+                Where::Here(range),
+                text,
+            );
         } else if let Some(near) = nearest(name, near) {
             d = d
                 .fix(Applicability::Unsafe, format!("write `{near}`"), Where::Here(range), near)

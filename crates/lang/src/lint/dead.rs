@@ -48,6 +48,7 @@ pub fn check(names: &dyn Names, stmt: &Stmt, scopes: &Scopes<'_>, out: Out<'_>) 
                 let operands = look.operands(*op, *id, &mut chained);
                 look.chain(*op, &operands, out);
             }
+            ExprKind::Call(name, args) => look.relates_to_itself(&name.text, args, out),
             ExprKind::Binary(BinaryOp::Implies, _, left, right) => look.implication(*left, *right, out),
             ExprKind::Quantified(Quantifier::Forall, _, _, body) if stmt.expr(*body).kind == ExprKind::Bool(true) => {
                 finding(out, stmt.expr(*body).range, "`true` does not depend on the variable of the quantifier");
@@ -171,13 +172,29 @@ impl<F: FnOnce() -> Vec<u64>> Look<'_, F> {
         }
     }
 
-    fn collides_with_itself(&self, args: &[ExprId], out: Out<'_>) {
-        let [a, b] = args else { return };
-        let one = match &self.stmt.expr(*a).kind {
+    /// `near(desk, desk, 1)`: a relation of the library between an object and itself.
+    fn relates_to_itself(&self, relation: &str, args: &[ExprId], out: Out<'_>) {
+        let is_known = natives::is_built_in(relation) || self.names.predicate(relation).is_some_and(|p| p.library);
+        let [a, b, ..] = args else { return };
+        if is_known && self.is_object(*a) && self.same(*a, *b) {
+            let message = format!("`{relation}` relates an object to itself");
+            finding(out, self.stmt.expr(*b).range, message)
+                .related
+                .push(here(self.stmt.expr(*a).range, "the same object"));
+        }
+    }
+
+    /// Whether an expression is an object by its form: the name of one, or an element of an array.
+    fn is_object(&self, id: ExprId) -> bool {
+        match &self.stmt.expr(id).kind {
             ExprKind::Name(name) => self.names.item(name) == Some(ItemKind::Object),
             kind => matches!(kind, ExprKind::Index(..)),
-        };
-        if one && self.same(*a, *b) {
+        }
+    }
+
+    fn collides_with_itself(&self, args: &[ExprId], out: Out<'_>) {
+        let [a, b] = args else { return };
+        if self.is_object(*a) && self.same(*a, *b) {
             finding(out, self.stmt.expr(*b).range, "an object never collides with itself")
                 .notes
                 .push("name the two objects that may overlap".to_owned());

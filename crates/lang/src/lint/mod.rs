@@ -9,7 +9,8 @@
 //! |---|---|
 //! | `unused` | W0201 never used, W0202 a text never assigned, W0303 no object |
 //! | `hiding` | W0203 a name that hides another |
-//! | `spelling` | W0204 names and texts spelt almost alike, W0205 unknown categories, W0206 misspelt colors |
+//! | `spelling` | W0204 names and texts spelt almost alike, W0205 unknown categories, W0206 misspelt colors and materials |
+//! | `units` | W0207 sizes that are in centimetres or millimetres |
 //! | `degrees` | W0301 order of degrees |
 //! | `sets` | W0302 empty sets |
 //! | `dead` | W0304 what makes no difference |
@@ -28,6 +29,7 @@ mod scope;
 mod sets;
 mod shape;
 mod spelling;
+mod units;
 mod unused;
 mod uses;
 mod words;
@@ -96,6 +98,7 @@ pub fn program(names: &dyn Names, statements: &[Linted<'_>], errors: &[Code]) ->
     }
     hiding::declared(&facts, &mut out);
     spelling::check(&facts, &mut out);
+    units::check(&facts, &mut out);
     sets::empty(&facts, &mut out);
     outside::check(&facts, &mut out);
     let drawing = facts.closure(|s| s.uses.draws);

@@ -1,5 +1,5 @@
 //! W0204: names, and texts of one property, that differ by no more than a slip of the pen; W0205: categories of which
-//! nothing is known; W0206: colors that are misspelt.
+//! nothing is known; W0206: colors and materials that are misspelt.
 //!
 //! A false alarm would be worse than a slip that is missed. So digits and single letters at the end tell names apart
 //! (`chair1`, `chairA`, `posX`), as do first letters (`table`, `cable`); a letter that is another, or missing in the
@@ -55,20 +55,41 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     colors(facts, out);
 }
 
-/// Colors that are none, and nearly are one, each once.
+/// Colors and materials that are none, and nearly are one, each once.
 fn colors(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
     let mut known: Vec<&str> = Vec::new();
     let texts = facts.statements.iter().flat_map(|linted| linted.uses.texts.iter().map(move |text| (linted, text)));
-    for (linted, text) in texts.filter(|(_, t)| !t.compared && is_color(&t.property)) {
+    for (linted, text) in texts.filter(|(_, t)| !t.compared) {
+        let (what, note) = if is_color(&text.property) {
+            (
+                "color",
+                "an unknown color has no effect; colors have names (`navy`, `light oak`) or are written `#336699`",
+            )
+        } else if is_material(&text.property) {
+            ("material", "an unknown material has no effect on how an object looks")
+        } else {
+            continue;
+        };
         let Some(place) = linted.place.span(text.range) else { continue };
         // So long a text is no name.
         if known.contains(&text.text.as_str()) || text.text.len() > LONGEST {
             continue;
         }
         known.push(&text.text);
+        if let Some(digits) = text.text.strip_prefix('#')
+            && what == "color"
+            && (digits.len() != 6 || !digits.bytes().all(|digit| digit.is_ascii_hexdigit()))
+        {
+            let d = Diagnostic::new(codes::W0206, place, format!("unknown color \"{}\"", text.text));
+            out.push(d.note("the value of a color has six hexadecimal digits: `#336699`"));
+            continue;
+        }
+        // Whatever else it is, it is no slip in a name.
+        if text.text.contains(|c: char| !c.is_alphanumeric() && !matches!(c, ' ' | '-' | '_')) {
+            continue;
+        }
         let Some(near) = library::meant_color(&text.text) else { continue };
-        let d = Diagnostic::new(codes::W0206, place, format!("unknown color \"{}\"", text.text))
-            .note("an unknown color has no effect; colors have names (`navy`, `light oak`) or are written `#336699`");
+        let d = Diagnostic::new(codes::W0206, place, format!("unknown {what} \"{}\"", text.text)).note(note);
         out.push(meant(d, place, near));
     }
 }
@@ -95,6 +116,10 @@ fn shortened(text: &str) -> String {
 /// Whether the texts of a property name colors.
 fn is_color(property: &str) -> bool {
     matches!(property, "color" | "floorColor" | "wallColor")
+}
+
+fn is_material(property: &str) -> bool {
+    matches!(property, "material" | "floorMaterial" | "wallMaterial")
 }
 
 /// Categories of which neither a usual size nor what they are for is known, each once: where they are assigned, for what

@@ -78,7 +78,11 @@ fn edited(log: &mut Session, text: &str) -> BTreeMap<String, usize> {
 /// A program of 2,000 statements.
 fn program() -> String {
     let lines = (0..1000).map(|i| {
-        format!("object thing{i};\nassert near(thing{i}, thing{}, {}) or thing{i}.pos.x > 1;\n", i / 2, i + 1)
+        format!(
+            "object thing{i};\nassert near(thing{i}, thing{}, {}) or thing{i}.pos.x > 1;\n",
+            if i == 0 { 1 } else { i / 2 },
+            i + 1
+        )
     });
     lines.collect()
 }

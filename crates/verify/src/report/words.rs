@@ -41,7 +41,9 @@ impl<'a> Words<'a> {
     pub fn explain(&self, row: &Judged, notes: &mut Vec<String>, hints: &mut Vec<String>) {
         let (Some(explanation), Some(program)) = (&row.explanation, &self.checked.program) else { return };
         let name = |rows: &RowRef| row_in_words(program, *rows, |index| self.line(program, index, row));
-        for against in &explanation.opposing {
+        // What stands against it does not matter where a move violates nothing.
+        let is_free = explanation.repair.as_ref().is_some_and(|repair| repair.breaks.is_empty());
+        for against in explanation.opposing.iter().filter(|_| !is_free) {
             notes.push(format!("{} conflicts with this constraint", name(against)));
         }
         if let Some(repair) = &explanation.repair {
@@ -84,18 +86,18 @@ impl<'a> Words<'a> {
             }
         };
         let mut parts = Vec::new();
-        if held > 0 {
+        if held > 0 && !repair.breaks.is_empty() {
             let what = if row.kind == RowKind::Assert { "other assertions" } else { "assertions" };
             parts.push(format!("{} of {held} {what} still hold", held - broken));
         }
-        if held == 0 && repair.breaks.is_empty() {
+        if repair.breaks.is_empty() {
             parts.push("nothing else is violated".to_owned());
         }
         if !repair.breaks.is_empty() {
             parts.push(format!("this violates {}", list(&repair.breaks)));
         }
         if !repair.repairs.is_empty() {
-            parts.push(format!("it also repairs {}", list(&repair.repairs)));
+            parts.push(format!("the move also repairs {}", list(&repair.repairs)));
         }
         format!(": {}", parts.join("; "))
     }

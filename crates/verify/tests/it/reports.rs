@@ -36,7 +36,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────┬──────────────
        │               ╰──────────────── fails in room.layout.json: margin -0.37 m
        │
-       │ Help: move `nightstand` 0.38 m east: nothing else is violated; it also repairs `not collides(bed, nightstand)` (line 5) and P-COLLIDE of `bed` and `nightstand`
+       │ Help: move `nightstand` 0.38 m east: nothing else is violated; the move also repairs `not collides(bed, nightstand)` (line 5) and P-COLLIDE of `bed` and `nightstand`
        │
        │ Note: required by "the lamp is <above> the table"
     ───╯
@@ -54,7 +54,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────────┬─────────────────
        │                   ╰─────────────────── fails in room.layout.json: margin -0.069 m
        │
-       │ Help: move `nightstand` 0.38 m east: nothing else is violated; it also repairs `nightstand.pos.x > 2.5` (line 4) and P-COLLIDE of `bed` and `nightstand`
+       │ Help: move `nightstand` 0.38 m east: nothing else is violated; the move also repairs `nightstand.pos.x > 2.5` (line 4) and P-COLLIDE of `bed` and `nightstand`
        │
        │ Note: P-COLLIDE forbids it, too
     ───╯

@@ -3,6 +3,8 @@
 use super::super::wanted::Wanted;
 use super::super::words::is_constructor;
 use super::{After, Finding, Site};
+use crate::library;
+use crate::natives::BuiltIn;
 use crate::token::{Kind, UNITS};
 use scenelang_base::codes::{E0110, E0112, E0116};
 use scenelang_base::suggest::nearest;
@@ -40,8 +42,8 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
         let message = "a decimal point is written as `.`";
         return Some(Diagnostic::new(E0110, place, message).fix(Applicability::Unsafe, "write `.`", place, "."));
     }
-    if site.innermost_open().is_some() {
-        return None;
+    if let Some(open) = site.innermost_open() {
+        return vector(site, open);
     }
     if after.is_none() {
         let diagnostic = Diagnostic::new(E0110, place, "a statement ends with `;`, not with a comma");
@@ -54,12 +56,43 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
     Some(diagnostic.fix(Applicability::Unsafe, "write `and`", place, " and"))
 }
 
+/// `(1, 0, 2)`: a vector without its name.
+fn vector(site: &Site<'_>, open: usize) -> Option<Finding> {
+    let is_call =
+        open.checked_sub(1).and_then(|at| site.kind(at)).is_some_and(|k| k == Kind::Ident || is_constructor(k));
+    if is_call || site.kind(open) != Some(Kind::LParen) {
+        return None;
+    }
+    let mut depth = 0;
+    let mut components = 1;
+    for at in open + 1.. {
+        match site.kind(at)? {
+            Kind::LParen | Kind::LBracket => depth += 1,
+            Kind::RParen if depth == 0 => break,
+            Kind::RParen | Kind::RBracket => depth -= 1,
+            Kind::Comma if depth == 0 => components += 1,
+            _ => {}
+        }
+    }
+    let diagnostic = Diagnostic::new(E0110, site.range(open), "a vector is written `vec3(x, y, z)`");
+    Some(match components {
+        3 => diagnostic.fix(Applicability::Unsafe, "write `vec3(`", site.range(open), "vec3("),
+        _ => diagnostic.note(format!("a vector has three components; these are {components}")),
+    })
+}
+
 /// `adn`, `AND`, `then`: a word in the place of an operator.
 pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     if !complete(site) || site.found() != Some(Kind::Ident) {
         return None;
     }
     let word = site.slice(site.at);
+    if library::names().any(|name| name == word) || BuiltIn::named(word).is_some() {
+        let (before, after) = (site.slice(site.at - 1), site.slice(site.at + 1));
+        let message = format!("`{word}` is no operator; it is called with its arguments in parentheses");
+        let note = format!("as in `{word}({before}, {after})`");
+        return Some(Diagnostic::new(E0116, site.range(site.at), message).note(note));
+    }
     let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
     // A lone word behind a value is more likely a second name than an operator.
     site.kind(site.at + 1).filter(|k| !matches!(k, Kind::RParen | Kind::RBracket | Kind::Comma | Kind::Dot))?;
