@@ -1,5 +1,5 @@
-//! What cares for people and their clothes: chairs of dentists, tattooists and beauticians, loungers in the sun, stands for
-//! drips, racks for washing.
+//! What cares for people and their clothes: chairs of dentists, tattooists and beauticians, loungers in the sun,
+//! monitors of patients, racks for washing.
 
 use crate::ask::Ask;
 use crate::block::block;
@@ -49,25 +49,6 @@ pub(super) fn lounger(a: &Ask) -> BuiltModel {
         m.cushion(b.share(0.1..0.9, low..low + 0.25, far - 0.06..far), &cloth);
     }
     m.surface = Some((flat + 0.12) * a.h);
-    m
-}
-
-/// A pole on a round base with a hook to each side and a bag on them.
-pub(super) fn iv_stand(a: &Ask) -> BuiltModel {
-    let mut m = BuiltModel::default();
-    let b = a.whole();
-    let steel = a.main(stuff::STEEL);
-    let bag = stuff::GLASS.surface();
-    let foot = 0.07_f64.min(0.1 * a.h);
-    m.lathe(b.y(0.0..foot), &[(0.96, 0.0), (1.0, 0.4), (0.5, 0.8), (0.2, 1.0)], &steel);
-    let r = 0.014_f64.min(0.1 * a.w).min(0.1 * a.d);
-    m.drum(block(-r..r, foot..a.h - r, -r..r), &steel);
-    m.board(b.share(0.15..0.85, 0.0..1.0, 0.45..0.55).y(a.h - r..a.h).z(-r..r), &steel);
-    let hangs = b.y(0.84 * a.h..a.h - r).z(-2.0 * r..2.0 * r);
-    m.cushion(hangs.x(0.16 * a.w..0.34 * a.w), &bag);
-    m.cushion(hangs.x(-0.34 * a.w..-0.16 * a.w), &bag);
-    // A pump on the pole.
-    m.board(b.share(0.35..0.65, 0.5..0.62, 0.5..0.7).z(r..0.22 * a.d), &stuff::GRAY_PLASTIC.surface());
     m
 }
 
