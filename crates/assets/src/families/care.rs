@@ -2,8 +2,9 @@
 //! monitors of patients, racks for washing.
 
 use crate::ask::Ask;
-use crate::block::block;
+use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, stuff};
+use crate::mesh::Surface;
 use crate::model::BuiltModel;
 
 /// A padded seat on a column, with a rest for the legs, a back and a head rest. The feet are at +z.
@@ -71,11 +72,21 @@ pub(super) fn patient_monitor(a: &Ask) -> BuiltModel {
     m.board(head.z(head.min.z..head.max.z - skin), &body);
     let face = head.share(0.06..0.94, 0.1..0.94, 0.0..1.0).z(head.max.z - skin..head.max.z);
     m.mesh.board(face, &stuff::SCREEN.surface());
-    for (row, color) in [(0.72, stuff::GREEN_LIGHT), (0.48, stuff::RED), (0.24, stuff::WARM)] {
-        let line = face.share(0.08..0.6, row..row + 0.05, 1.0..1.0).z(face.max.z..face.max.z + 0.3 * skin);
-        m.mesh.board(line, &color.surface());
+    for (row, color) in [(0.7, stuff::GREEN_LIGHT), (0.42, stuff::RED), (0.14, stuff::WARM)] {
+        wave(&mut m, face.share(0.06..0.68, row..row + 0.2, 0.0..1.0), 0.3 * skin, &color.surface());
+        let number = face.share(0.76..0.94, row + 0.02..row + 0.16, 1.0..1.0);
+        m.mesh.crisp(number.z(face.max.z..face.max.z + 0.3 * skin), &color.surface());
     }
     m
+}
+
+/// A pulse that runs over a screen: level, with beats.
+fn wave(m: &mut BuiltModel, b: Block, thick: f64, s: &Surface) {
+    const BEAT: [[f64; 2]; 7] = [[0.2, 0.3], [0.2, 0.3], [0.2, 0.45], [0.3, 1.0], [0.0, 0.9], [0.0, 0.3], [0.2, 0.3]];
+    for (k, piece) in b.split(0, 2 * BEAT.len(), 0.0).enumerate() {
+        let [from, to] = BEAT[k % BEAT.len()];
+        m.mesh.crisp(piece.share(0.0..1.0, from..to, 1.0..1.0).z(b.max.z..b.max.z + thick), s);
+    }
 }
 
 /// Two frames with bars between them, cloths over some of the bars.

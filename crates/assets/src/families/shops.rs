@@ -140,7 +140,7 @@ pub(super) fn record_bin(a: &Ask) -> BuiltModel {
 const FRUIT: &[u32] = &[0xc8402f, 0xe8912d, 0x6fa13c, 0xe3c23f, 0x5b3a63, 0xd97b4f];
 
 /// No more pieces of fruit than this are drawn on a stand.
-const HEAPED: usize = 44;
+const HEAPED: usize = 47;
 
 /// Crates of fruit and vegetables in tiers that rise to the back, tilted to the front.
 pub(super) fn produce_stand(a: &Ask) -> BuiltModel {
@@ -150,8 +150,8 @@ pub(super) fn produce_stand(a: &Ask) -> BuiltModel {
     let mut dice = a.dice();
     let tiers = pieces(a.h, 0.42, 1, 3);
     m.board(b.share(0.0..1.0, 0.0..1.0, 0.0..0.04), &wood);
-    let columns = pieces(a.w, 0.5, 2, 4);
-    let each = (HEAPED / (tiers * columns)).clamp(2, 6);
+    let columns = pieces(a.w, 0.5, 2, 3);
+    let each = (HEAPED / (tiers * columns)).clamp(2, 5);
     let mut kind = (dice.unit() * FRUIT.len() as f64) as usize;
     for (tier, depth) in b.share(0.0..1.0, 0.0..1.0, 0.04..1.0).split(2, tiers, 0.0).enumerate() {
         let floor = a.h * (0.3 + 0.4 * (tiers - 1 - tier) as f64 / tiers as f64);
@@ -191,7 +191,7 @@ fn crate_of_fruit(mesh: &mut Mesh, place: Block, each: usize, color: u32) {
         let along = 0.28 + 0.44 * row as f64;
         let (y, z) = (front + (back - front) * along, place.max.z + (place.min.z - place.max.z) * along);
         let wide = (size.x - 2.0 * t) / rows[0] as f64;
-        let r = (0.5 * wide).min(0.24 * size.z).min(0.2 * size.y);
+        let r = (0.5 * wide).min(0.28 * size.z).min(0.26 * size.y);
         for k in 0..count {
             let x = place.center().x + (k as f64 - (count as f64 - 1.0) / 2.0) * wide;
             mesh.lathe(block(x - r..x + r, y - 0.6 * r..y + 1.4 * r, z - r..z + r), &profile, 8, &fruit);
