@@ -11,7 +11,7 @@ use crate::model::BuiltModel;
 pub(super) fn treatment_chair(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
-    let pad = a.main(Stuff(Finish::Leather, 0x3f6f78));
+    let pad = a.tinted(Stuff(Finish::Leather, 0x3f6f78));
     let (steel, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
     m.board(b.share(0.2..0.8, 0.0..0.06, 0.22..0.78), &dark);
     m.board(b.share(0.38..0.62, 0.06..0.38, 0.4..0.6), &steel);

@@ -19,7 +19,8 @@ fn slab(m: &mut BuiltModel, b: Block, x: [f64; 2], outline: &[(f64, f64)], s: &S
 pub(super) fn dental_unit(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
-    let pad = a.main(Stuff(Finish::Leather, 0x3f8fa3));
+    // What it is upholstered with is not for the material of a room's furniture to say.
+    let pad = a.tinted(Stuff(Finish::Leather, 0x3f8fa3));
     let (white, steel) = (stuff::WHITE.surface(), stuff::STEEL.surface());
     let body = b.x(b.min.x + 0.3 * a.w..b.max.x - 0.16 * a.w);
     m.rounded(body.share(0.12..0.88, 0.0..0.05, 0.3..0.72), 0.02, &white);
