@@ -52,7 +52,7 @@ pub(super) fn timber_rack(a: &Ask) -> BuiltModel {
 /// Boards and beams in layers; the ends of some stick out.
 fn stack(m: &mut BuiltModel, bed: Block, level: usize, dice: &mut crate::words::Dice) {
     m.solid(bed);
-    let beams = level % 2 == 0;
+    let beams = level.is_multiple_of(2);
     let each = if beams { 0.1 } else { 0.045 };
     let rows = pieces(bed.size().y, each, 1, if beams { 3 } else { 5 });
     let across = pieces(bed.size().z, if beams { 0.11 } else { 0.2 }, 2, if beams { 6 } else { 3 });
