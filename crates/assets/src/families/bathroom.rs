@@ -3,7 +3,7 @@
 use super::kitchen::{hatch, tap};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
-use crate::looks::{shade, stuff};
+use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::model::BuiltModel;
 use scenelang_layout::Vec3;
 
@@ -61,6 +61,9 @@ pub(super) fn urinal(a: &Ask) -> BuiltModel {
 
 /// A bath: four walls and a floor, a tap at the left end.
 pub(super) fn bathtub(a: &Ask) -> BuiltModel {
+    if a.says(&["corner"]) && a.w > 0.6 * a.d && a.d > 0.6 * a.w {
+        return corner_bathtub(a);
+    }
     let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::CERAMIC);
@@ -147,7 +150,7 @@ pub(super) fn towel_rail(a: &Ask) -> BuiltModel {
 pub(super) fn emergency_shower(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
-    let yellow = a.main(crate::looks::Stuff(crate::looks::Finish::Paint, 0xe5b82e));
+    let yellow = a.main(Stuff(Finish::Paint, 0xe5b82e));
     let green = stuff::GREEN_LIGHT.surface();
     let (x, z) = (a.w / 2.0, a.d / 2.0);
     let r = 0.025_f64.min(0.06 * a.w).min(0.06 * a.d);
@@ -237,5 +240,63 @@ pub(super) fn vanity_unit(a: &Ask) -> BuiltModel {
         from = hole.max.x;
     }
     m.mesh.crisp(slab.x(from..slab.max.x), &top);
+    m
+}
+
+/// The outline of a bath in a corner, from +x towards +z: two straight sides at -x and -z, and a bow before them. It is
+/// shrunk towards a point within by a factor.
+fn bow(a: &Ask, factor: f64) -> Vec<[f64; 2]> {
+    const STEPS: usize = 12;
+    let middle = [-0.1 * a.w, -0.1 * a.d];
+    let at = |k: usize| {
+        let (sin, cos) = crate::shapes::turn(k, 4 * STEPS);
+        // Fuller than a quarter of a circle.
+        [-a.w / 2.0 + a.w * cos.powf(0.7), -a.d / 2.0 + a.d * sin.powf(0.7)]
+    };
+    let outline = (0..=STEPS).map(at).chain([[-a.w / 2.0, -a.d / 2.0]]);
+    outline.map(|p| [0, 1].map(|i| middle[i] + factor * (p[i] - middle[i]))).collect()
+}
+
+/// A bath for a corner, which is at -x and -z: a bowed front, a wide rim, water, a tap over the corner.
+fn corner_bathtub(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let main = a.main(stuff::CERAMIC);
+    let (rim, floor) = (0.9 * a.h, 0.25 * a.h);
+    let ring = |factor: f64, y: f64| bow(a, factor).into_iter().map(|[x, z]| Vec3::new(x, y, z)).collect::<Vec<_>>();
+    let rings = [
+        ring(0.95, 0.0),
+        ring(0.95, 0.78 * a.h),
+        ring(1.0, 0.8 * a.h),
+        ring(1.0, rim),
+        ring(0.78, rim),
+        ring(0.64, floor),
+    ];
+    m.mesh.loft(&rings, &main);
+    m.solid_hull([ring(0.95, 0.0), ring(0.95, floor)].concat());
+    // Walls in pieces, four of the bow and two at the walls of the room.
+    let (outer, inner) = (bow(a, 1.0), bow(a, 0.7));
+    let last = outer.len() - 1;
+    let spans = [[0, 3], [3, 6], [6, 9], [9, 12], [last - 1, last], [last, 0]];
+    for span in spans {
+        let corners = span.map(|k| [outer[k], inner[k]]).concat();
+        let mut points: Vec<Vec3> = Vec::new();
+        for y in [floor, rim] {
+            points.extend(corners.iter().map(|[x, z]| Vec3::new(*x, y, *z)));
+            if span[1] > span[0] + 1 {
+                points.extend((span[0] + 1..span[1]).map(|k| Vec3::new(outer[k][0], y, outer[k][1])));
+            }
+        }
+        m.solid_hull(points);
+    }
+    let water: Vec<(f64, f64)> = bow(a, 0.77).into_iter().map(|[x, z]| (z, x)).collect();
+    m.mesh.extrude(1, &water, 0.7 * a.h..0.76 * a.h, &Stuff(Finish::Water, 0x8fcfe6).surface());
+    let chrome = stuff::CHROME.surface();
+    let spout = a.whole().share(0.05..0.09, 0.9..1.0, 0.05..0.09);
+    m.board(spout, &chrome);
+    m.mesh.board(a.whole().share(0.09..0.17, 0.955..1.0, 0.06..0.08), &chrome);
+    m.solid(a.whole().share(0.09..0.17, 0.955..1.0, 0.06..0.08));
+    for (x, z) in [(0.05, 0.14), (0.14, 0.04)] {
+        m.drum(a.whole().share(x..x + 0.04, 0.9..0.96, z..z + 0.04), &chrome);
+    }
     m
 }

@@ -2,7 +2,7 @@
 
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
-use crate::looks::{Finish, is, shade, stuff, woody};
+use crate::looks::{Finish, Stuff, is, shade, stuff, woody};
 use crate::mesh::Surface;
 use crate::model::BuiltModel;
 
@@ -227,7 +227,7 @@ pub(super) fn crib(a: &Ask) -> BuiltModel {
 pub(super) fn exam_table(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
-    let main = a.main(crate::looks::Stuff(Finish::Leather, 0x3f6f78));
+    let main = a.main(Stuff(Finish::Leather, 0x3f6f78));
     let frame = stuff::STEEL.surface();
     let pad = 0.08_f64.min(0.2 * a.h);
     m.rounded(b.y(a.h - pad..a.h), 0.03, &main);
@@ -260,6 +260,61 @@ pub(super) fn soft(a: &Ask) -> BuiltModel {
         for layer in b.split(1, layers, 0.002) {
             m.mesh.rounded(layer, 0.04, 3, &main);
         }
+    }
+    m
+}
+
+/// A table to change a baby on: a mat with raised sides on a top with a rim, and shelves with baskets and cloths below.
+pub(super) fn changing_table(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let b = a.whole();
+    let wood = a.main(stuff::BIRCH);
+    let top = a.h - 0.11_f64.min(0.15 * a.h);
+    let thick = 0.025_f64.min(0.04 * a.h);
+    let t = 0.03_f64.min(0.06 * a.w).min(0.08 * a.d);
+    m.surface = Some(top + 0.45 * (a.h - top));
+    for side in b.x(b.min.x..b.min.x + t).y(0.0..top).both_sides() {
+        m.board(side, &wood);
+    }
+    m.board(b.inset(t, 0.0, 0.0).y(0.06 * a.h..top).z(b.min.z..b.min.z + 0.5 * t), &shade(&wood, 0.9));
+    let inner = b.inset(t, 0.0, 0.0).z(b.min.z + 0.5 * t..b.max.z);
+    m.board(b.y(top..top + thick), &wood);
+    let span = top - 0.06 * a.h;
+    for k in 0..3 {
+        let y = 0.06 * a.h + span * f64::from(k) / 3.0;
+        m.board(inner.y(y..y + thick), &wood);
+        let room = inner.y(y + thick..y + span / 3.0).share(0.04..0.96, 0.0..0.72, 0.06..0.94);
+        m.solid(room);
+        if k == 2 {
+            // Cloths and nappies in piles.
+            for (pile, colour) in room.split(0, 3, 0.04).zip([0xf3f1ec, 0xcfe0e6, 0xf0d9c6]) {
+                for (at, fold) in pile.split(1, 3, 0.006).enumerate() {
+                    let colour = if at == 1 { 0xe9e6df } else { colour };
+                    m.mesh.rounded(fold, 0.3 * fold.size().y, 1, &Stuff(Finish::Fabric, colour).surface());
+                }
+            }
+            continue;
+        }
+        for basket in room.split(0, 2, 0.03) {
+            m.mesh.board(basket, &Stuff(Finish::Wicker, 0xb58a5a).surface());
+            m.mesh.crisp(
+                basket.share(0.3..0.7, 0.6..0.75, 1.0..1.0).z(basket.max.z..basket.max.z + 0.01 * a.d),
+                &shade(&wood, 0.5),
+            );
+        }
+    }
+    // The mat: two long sides that rise, and between them where the baby lies.
+    let vinyl = a.second(Stuff(Finish::Fabric, 0x9fcbd6));
+    let mat = b.inset(0.02 * a.w, 0.0, 0.02 * a.d).y(top + thick..a.h);
+    let bed = mat.share(0.0..1.0, 0.0..0.3, 0.14..0.86);
+    m.cushion(bed, &shade(&vinyl, 1.5));
+    for side in [mat.share(0.0..1.0, 0.0..1.0, 0.0..0.2), mat.share(0.0..1.0, 0.0..1.0, 0.8..1.0)] {
+        m.cushion(side, &vinyl);
+    }
+    m.cushion(mat.share(0.0..0.1, 0.0..0.8, 0.2..0.8), &vinyl);
+    m.cushion(mat.share(0.74..0.92, 0.3..0.5, 0.3..0.7), &stuff::SHEET.surface());
+    for rim in b.x(b.min.x..b.min.x + 0.012 * a.w).y(top + thick..a.h - 0.3 * (a.h - top)).both_sides() {
+        m.board(rim, &wood);
     }
     m
 }

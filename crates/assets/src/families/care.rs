@@ -1,16 +1,17 @@
-//! What cares for people and their clothes: chairs of dentists, tattooists and beauticians, loungers in the sun, stands for
-//! drips, racks for washing.
+//! What cares for people and their clothes: chairs of dentists, tattooists and beauticians, loungers in the sun,
+//! monitors of patients, racks for washing.
 
 use crate::ask::Ask;
-use crate::block::block;
+use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, stuff};
+use crate::mesh::Surface;
 use crate::model::BuiltModel;
 
 /// A padded seat on a column, with a rest for the legs, a back and a head rest. The feet are at +z.
 pub(super) fn treatment_chair(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
-    let pad = a.main(Stuff(Finish::Leather, 0x3f6f78));
+    let pad = a.tinted(Stuff(Finish::Leather, 0x3f6f78));
     let (steel, dark) = (stuff::STEEL.surface(), stuff::DARK_PLASTIC.surface());
     m.board(b.share(0.2..0.8, 0.0..0.06, 0.22..0.78), &dark);
     m.board(b.share(0.38..0.62, 0.06..0.38, 0.4..0.6), &steel);
@@ -52,25 +53,6 @@ pub(super) fn lounger(a: &Ask) -> BuiltModel {
     m
 }
 
-/// A pole on a round base with a hook to each side and a bag on them.
-pub(super) fn iv_stand(a: &Ask) -> BuiltModel {
-    let mut m = BuiltModel::default();
-    let b = a.whole();
-    let steel = a.main(stuff::STEEL);
-    let bag = stuff::GLASS.surface();
-    let foot = 0.07_f64.min(0.1 * a.h);
-    m.lathe(b.y(0.0..foot), &[(0.96, 0.0), (1.0, 0.4), (0.5, 0.8), (0.2, 1.0)], &steel);
-    let r = 0.014_f64.min(0.1 * a.w).min(0.1 * a.d);
-    m.drum(block(-r..r, foot..a.h - r, -r..r), &steel);
-    m.board(b.share(0.15..0.85, 0.0..1.0, 0.45..0.55).y(a.h - r..a.h).z(-r..r), &steel);
-    let hangs = b.y(0.84 * a.h..a.h - r).z(-2.0 * r..2.0 * r);
-    m.cushion(hangs.x(0.16 * a.w..0.34 * a.w), &bag);
-    m.cushion(hangs.x(-0.34 * a.w..-0.16 * a.w), &bag);
-    // A pump on the pole.
-    m.board(b.share(0.35..0.65, 0.5..0.62, 0.5..0.7).z(r..0.22 * a.d), &stuff::GRAY_PLASTIC.surface());
-    m
-}
-
 /// A screen on a pole that stands beside a bed.
 pub(super) fn patient_monitor(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
@@ -90,11 +72,21 @@ pub(super) fn patient_monitor(a: &Ask) -> BuiltModel {
     m.board(head.z(head.min.z..head.max.z - skin), &body);
     let face = head.share(0.06..0.94, 0.1..0.94, 0.0..1.0).z(head.max.z - skin..head.max.z);
     m.mesh.board(face, &stuff::SCREEN.surface());
-    for (row, color) in [(0.72, stuff::GREEN_LIGHT), (0.48, stuff::RED), (0.24, stuff::WARM)] {
-        let line = face.share(0.08..0.6, row..row + 0.05, 1.0..1.0).z(face.max.z..face.max.z + 0.3 * skin);
-        m.mesh.board(line, &color.surface());
+    for (row, color) in [(0.7, stuff::GREEN_LIGHT), (0.42, stuff::RED), (0.14, stuff::WARM)] {
+        wave(&mut m, face.share(0.06..0.68, row..row + 0.2, 0.0..1.0), 0.3 * skin, &color.surface());
+        let number = face.share(0.76..0.94, row + 0.02..row + 0.16, 1.0..1.0);
+        m.mesh.crisp(number.z(face.max.z..face.max.z + 0.3 * skin), &color.surface());
     }
     m
+}
+
+/// A pulse that runs over a screen: level, with beats.
+fn wave(m: &mut BuiltModel, b: Block, thick: f64, s: &Surface) {
+    const BEAT: [[f64; 2]; 7] = [[0.2, 0.3], [0.2, 0.3], [0.2, 0.45], [0.3, 1.0], [0.0, 0.9], [0.0, 0.3], [0.2, 0.3]];
+    for (k, piece) in b.split(0, 2 * BEAT.len(), 0.0).enumerate() {
+        let [from, to] = BEAT[k % BEAT.len()];
+        m.mesh.crisp(piece.share(0.0..1.0, from..to, 1.0..1.0).z(b.max.z..b.max.z + thick), s);
+    }
 }
 
 /// Two frames with bars between them, cloths over some of the bars.

@@ -2,6 +2,7 @@
 
 mod animals;
 mod appliances;
+mod atelier;
 mod bathroom;
 mod beds;
 mod care;
@@ -16,10 +17,12 @@ mod food;
 mod garments;
 mod gear;
 mod gym;
+mod hotels;
 mod household;
 mod kitchen;
 mod leisure;
 mod lighting;
+mod market;
 mod moving;
 mod music;
 mod odds;
@@ -31,6 +34,7 @@ mod rides;
 mod robots;
 mod rolls;
 mod safety;
+mod salons;
 mod seating;
 mod shops;
 mod sport;
@@ -47,6 +51,7 @@ mod toys;
 mod utensils;
 mod vehicles;
 mod venue;
+mod wards;
 mod wear;
 mod winds;
 mod workshop;
@@ -168,7 +173,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("hand_truck", fittings::hand_truck),
     ("hood", kitchen::hood),
     ("ironing_board", workshop::ironing_board),
-    ("iv_stand", care::iv_stand),
+    ("iv_stand", wards::iv_stand),
     ("jukebox", venue::jukebox),
     ("kettlebell", sport::kettlebell),
     ("kettle", kitchen::kettle),
@@ -468,6 +473,25 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("terrarium", odds::terrarium),
     ("heat_lamp", odds::heat_lamp),
     ("napkin_holder", odds::napkin_holder),
+    ("boxing_ring", sport::boxing_ring),
+    ("chest_freezer", market::chest_freezer),
+    ("display_freezer", market::display_freezer),
+    ("checkout_lane", market::checkout_lane),
+    ("shopping_basket", market::shopping_basket),
+    ("timber_rack", atelier::timber_rack),
+    ("drafting_table", atelier::drafting_table),
+    ("cutting_table", atelier::cutting_table),
+    ("dental_unit", wards::dental_unit),
+    ("daybed", hotels::daybed),
+    ("luggage_cart", hotels::luggage_cart),
+    ("luggage_rack", hotels::luggage_rack),
+    ("salad_bar", hotels::salad_bar),
+    ("chafing_dish", hotels::chafing_dish),
+    ("changing_table", beds::changing_table),
+    ("jewelry_case", salons::jewelry_case),
+    ("salon_trolley", salons::salon_trolley),
+    ("styling_station", salons::styling_station),
+    ("record_shelf", storage::record_shelf),
 ];
 
 /// Who draws a family.

@@ -5,6 +5,7 @@ use crate::block::{Block, block};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::Surface;
 use crate::model::BuiltModel;
+use scenelang_layout::Vec3;
 
 /// A shell with two skins and bright hoops, upright.
 fn drum(m: &mut BuiltModel, b: Block, shell: &Surface) {
@@ -139,7 +140,7 @@ pub(super) fn organ(a: &Ask) -> BuiltModel {
     m
 }
 
-/// A round foot, a stand and a head behind a grille; one for a table is as high as it is made.
+/// A round foot, a stand and a head behind a grille; one for a table is as high as it is made, and a high one has an arm.
 pub(super) fn microphone(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
@@ -147,6 +148,10 @@ pub(super) fn microphone(a: &Ask) -> BuiltModel {
     let foot = 0.03_f64.min(0.12 * a.h);
     m.drum(b.y(0.0..foot), &dark);
     let (r, thick) = (0.06_f64.min(0.2 * a.w.min(a.d)), 0.012_f64.min(0.06 * a.w.min(a.d)));
+    if a.h > 1.0 && a.h > 2.0 * a.d {
+        boom(&mut m, a, [foot, r, thick], [&dark, &steel]);
+        return m;
+    }
     let head = a.h - (3.2 * r).min(0.45 * a.h);
     m.drum(block(-thick..thick, foot..head, -thick..thick), &dark);
     let body = head + 0.45 * (a.h - head);
@@ -155,6 +160,38 @@ pub(super) fn microphone(a: &Ask) -> BuiltModel {
     m.solid(grille);
     m.mesh.ball(grille, &steel);
     m
+}
+
+/// A slanted arm on a pole, with a microphone at its upper end and a weight at the lower one.
+fn boom(m: &mut BuiltModel, a: &Ask, [foot, r, thick]: [f64; 3], [dark, steel]: [&Surface; 2]) {
+    let (joint, x) = (0.74 * a.h, a.w / 2.0);
+    m.drum(block(-1.2 * thick..1.2 * thick, foot..joint, -1.2 * thick..1.2 * thick), steel);
+    m.rounded(
+        block(-2.4 * thick..2.4 * thick, joint - 2.0 * thick..joint + 2.0 * thick, -2.0 * thick..2.0 * thick),
+        0.01,
+        dark,
+    );
+    // Along x, so that it is seen from the front.
+    let (low, high) =
+        (Vec3::new(-(0.8 * x).min(x - 2.4 * thick), 0.64 * a.h, 0.0), Vec3::new(x - 1.7 * r, a.h - 1.6 * r, 0.0));
+    m.mesh.rod(low, high, thick, steel);
+    let end = |p: Vec3, h: f64| block(p.x - h..p.x + h, p.y - h..p.y + h, p.z - h..p.z + h);
+    let (from, to) = (end(low, thick), end(high, thick));
+    let corners =
+        |c: Block| (0..8).map(move |k| Vec3::from_fn(|i, _| if k >> i & 1 == 0 { c.min[i] } else { c.max[i] }));
+    m.solid_hull(corners(from).chain(corners(to)).collect());
+    let weight = end(low, 2.2 * thick);
+    m.rounded(weight, 0.01, dark);
+    // The microphone points on along the arm.
+    let grille = block(x - 2.2 * r..x - 0.2 * r, a.h - 2.0 * r..a.h, -r..r);
+    m.solid(grille);
+    m.mesh.ball(grille, steel);
+    let band = grille.share(0.02..0.98, 0.42..0.56, 0.02..0.98);
+    m.mesh.drum(band, dark);
+    let way = (high - low).normalize();
+    let (back, front) = (high - way * 2.6 * r, high);
+    m.mesh.rod(back, front, 0.62 * r, dark);
+    m.solid(block(back.x - 0.6 * r..front.x, back.y - 0.6 * r..front.y + 0.6 * r, -0.6 * r..0.6 * r));
 }
 
 /// Two cups, lying, and the band between them.

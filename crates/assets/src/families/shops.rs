@@ -2,10 +2,11 @@
 //! an audience, carts for what one buys.
 
 use crate::ask::Ask;
-use crate::block::{block, pieces};
+use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::mesh::{Mesh, Surface};
 use crate::model::BuiltModel;
+use crate::shapes::sphere;
 
 /// A padded seat between two panels with arm rests, and a high padded back.
 pub(super) fn theatre_seat(a: &Ask) -> BuiltModel {
@@ -138,33 +139,64 @@ pub(super) fn record_bin(a: &Ask) -> BuiltModel {
 
 const FRUIT: &[u32] = &[0xc8402f, 0xe8912d, 0x6fa13c, 0xe3c23f, 0x5b3a63, 0xd97b4f];
 
-/// Crates of fruit and vegetables in tiers that rise to the back.
+/// No more pieces of fruit than this are drawn on a stand.
+const HEAPED: usize = 47;
+
+/// Crates of fruit and vegetables in tiers that rise to the back, tilted to the front.
 pub(super) fn produce_stand(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::OAK);
     let mut dice = a.dice();
     let tiers = pieces(a.h, 0.42, 1, 3);
-    m.board(b.share(0.0..1.0, 0.96..1.0, 0.0..0.04), &wood);
-    m.board(b.share(0.0..1.0, 0.0..0.96, 0.0..0.04), &wood);
+    m.board(b.share(0.0..1.0, 0.0..1.0, 0.0..0.04), &wood);
+    let columns = pieces(a.w, 0.5, 2, 3);
+    let each = (HEAPED / (tiers * columns)).clamp(2, 5);
+    let mut kind = (dice.unit() * FRUIT.len() as f64) as usize;
     for (tier, depth) in b.share(0.0..1.0, 0.0..1.0, 0.04..1.0).split(2, tiers, 0.0).enumerate() {
-        let floor = a.h * (0.34 + 0.42 * (tiers - 1 - tier) as f64 / tiers as f64);
+        let floor = a.h * (0.3 + 0.4 * (tiers - 1 - tier) as f64 / tiers as f64);
         m.board(depth.y(0.0..floor), &wood);
-        m.solid(depth.y(floor..floor + 0.16 * a.h));
-        for place in depth.y(floor..floor + 0.16 * a.h).split(0, pieces(a.w, 0.36, 2, 4), 0.02) {
-            let size = place.size();
-            let crate_of = place.share(0.02..0.98, 0.0..0.5, 0.06..0.94);
-            m.mesh.crisp(crate_of, &stuff::BIRCH.surface());
-            let fruit = Stuff(Finish::Ceramic, *dice.pick(FRUIT)).surface();
-            let heap = place.share(0.08..0.92, 0.5..1.0, 0.12..0.88);
-            for row in heap.split(2, pieces(size.z, 0.14, 1, 2), 0.0) {
-                for one in row.split(0, 2, 0.0) {
-                    m.mesh.rounded(one, 0.48 * one.size().min(), 1, &fruit);
-                }
-            }
+        m.solid(depth.y(floor..floor + 0.24 * a.h));
+        for place in depth.y(floor..floor + 0.24 * a.h).split(0, columns, 0.02) {
+            kind += 1;
+            crate_of_fruit(&mut m.mesh, place.inset(0.005, 0.0, 0.005), each, FRUIT[kind % FRUIT.len()]);
         }
     }
     m
+}
+
+/// A crate with a higher back, and round fruit in two rows that lie along its slope.
+fn crate_of_fruit(mesh: &mut Mesh, place: Block, each: usize, color: u32) {
+    let (size, low) = (place.size(), place.min.y);
+    let (front, back) = (low + 0.3 * size.y, low + 0.66 * size.y);
+    let wood = stuff::BIRCH.surface();
+    let sides = [(low, place.max.z), (front, place.max.z), (back, place.min.z), (low, place.min.z)];
+    let t = 0.015_f64.min(0.06 * size.x).min(0.2 * size.z);
+    // Two sides and between them the bed of the fruit, a little lower.
+    for x in [place.min.x, place.max.x - t] {
+        mesh.extrude(0, &sides, x..x + t, &wood);
+    }
+    let bed = [
+        (low, place.max.z),
+        (front - 0.06 * size.y, place.max.z),
+        (back - 0.06 * size.y, place.min.z),
+        (low, place.min.z),
+    ];
+    mesh.extrude(0, &bed, place.min.x + t..place.max.x - t, &shade(&wood, 0.85));
+    mesh.crisp(place.inset(t, 0.0, 0.0).y(low..front).z(place.max.z - t..place.max.z), &wood);
+    let fruit = Stuff(Finish::Ceramic, color).surface();
+    let profile = sphere(4);
+    let rows = [each.div_ceil(2), each / 2];
+    for (row, count) in rows.into_iter().enumerate() {
+        let along = 0.28 + 0.44 * row as f64;
+        let (y, z) = (front + (back - front) * along, place.max.z + (place.min.z - place.max.z) * along);
+        let wide = (size.x - 2.0 * t) / rows[0] as f64;
+        let r = (0.5 * wide).min(0.28 * size.z).min(0.26 * size.y);
+        for k in 0..count {
+            let x = place.center().x + (k as f64 - (count as f64 - 1.0) / 2.0) * wide;
+            mesh.lathe(block(x - r..x + r, y - 0.6 * r..y + 1.4 * r, z - r..z + r), &profile, 8, &fruit);
+        }
+    }
 }
 
 /// A basket of wire on wheels, with a handle at -z.

@@ -1,8 +1,8 @@
-//! What stands in a gym: benches with a barbell, racks of dumbbells, kettlebells.
+//! What stands in a gym: benches with a barbell, racks of dumbbells, kettlebells, a ring for boxers.
 
 use crate::ask::Ask;
-use crate::block::pieces;
-use crate::looks::{Finish, Stuff, stuff};
+use crate::block::{block, pieces};
+use crate::looks::{Finish, Stuff, shade, stuff};
 use crate::model::BuiltModel;
 
 /// A padded bench along z, and behind it two uprights with a barbell.
@@ -147,5 +147,45 @@ pub(super) fn rowing_machine(a: &Ask) -> BuiltModel {
     m.board(b.share(0.46..0.54, 0.7..0.86, 0.87..0.91), &frame);
     m.board(b.share(0.3..0.7, 0.8..1.0, 0.84..0.87), &dark);
     m.board(b.share(0.15..0.85, 0.44..0.48, 0.69..0.71), &steel);
+    m
+}
+
+/// A canvas on a platform between four padded posts, with four ropes on each side.
+pub(super) fn boxing_ring(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let b = a.whole();
+    let apron = a.main(Stuff(Finish::Fabric, 0x1f3f7a));
+    let deck = 0.6_f64.min(0.3 * a.h);
+    m.surface = Some(deck);
+    m.solid(b.y(0.0..deck));
+    m.mesh.crisp(b.inset(0.01, 0.0, 0.01).y(0.0..0.86 * deck), &apron);
+    m.mesh.board(b.y(0.86 * deck..deck), &shade(&apron, 0.7));
+    let mat = b.inset(0.05 * a.w, 0.0, 0.05 * a.d);
+    m.mesh.crisp(mat.y(deck..deck + 0.004 * a.h), &Stuff(Finish::Fabric, 0xdfe3e6).surface());
+    let corners = [stuff::RED, stuff::WHITE, stuff::WHITE, Stuff(Finish::Paint, 0x2456b0)];
+    let thick = 0.2_f64.min(0.06 * a.w).min(0.06 * a.d);
+    let post = b.share(0.05..0.06, 0.0..1.0, 0.05..0.06);
+    let post = post.x(post.min.x..post.min.x + thick).y(deck..a.h).z(post.min.z..post.min.z + thick);
+    for (place, color) in post.four_corners().into_iter().zip(corners) {
+        m.solid(place);
+        m.mesh.board(place.inset(0.22 * thick, 0.0, 0.22 * thick), &stuff::BLACK_STEEL.surface());
+        // The pad that turns to the middle of the ring.
+        m.mesh.board(place.share(0.0..1.0, 0.22..0.96, 0.0..1.0), &color.surface());
+    }
+    let r = 0.025_f64.min(0.02 * a.h).min(0.3 * thick);
+    let ropes = [stuff::RED, stuff::WHITE, Stuff(Finish::Paint, 0x2456b0), stuff::RED];
+    for (k, color) in ropes.into_iter().enumerate() {
+        let y = deck + (0.27 + 0.21 * k as f64) * (a.h - deck);
+        let color = color.surface();
+        let c = post.center();
+        let along_x = block(post.max.x..-post.max.x, y - r..y + r, c.z - r..c.z + r);
+        let along_z = block(c.x - r..c.x + r, y - r..y + r, post.max.z..-post.max.z);
+        for rope in
+            [along_x, along_x.z(-along_x.max.z..-along_x.min.z), along_z, along_z.x(-along_z.max.x..-along_z.min.x)]
+        {
+            m.solid(rope);
+            m.mesh.crisp(rope, &color);
+        }
+    }
     m
 }

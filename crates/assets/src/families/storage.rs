@@ -5,7 +5,7 @@ use super::tables::{drawers, handle};
 use crate::ask::Ask;
 use crate::block::{Block, block, pieces};
 use crate::looks::{Finish, Stuff, shade, stuff};
-use crate::mesh::Surface;
+use crate::mesh::{Mesh, Surface};
 use crate::model::BuiltModel;
 
 /// Doors in columns over a face that looks to +z, which open; handles at the meeting edges.
@@ -300,6 +300,57 @@ pub(super) fn open_shelf(a: &Ask) -> BuiltModel {
     m
 }
 
+/// Square compartments full of records on edge; some are turned to the front.
+pub(super) fn record_shelf(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let mut dice = a.dice();
+    let b = a.whole();
+    let main = a.main(stuff::OAK);
+    let t = 0.025_f64.min(0.06 * a.w).min(0.06 * a.h);
+    let back = 0.01_f64.min(0.1 * a.d);
+    let (columns, rows) = (pieces(a.w, 0.42, 1, 4), pieces(a.h, 0.42, 1, 5));
+    for side in b.x(b.min.x..b.min.x + t).both_sides() {
+        m.board(side, &main);
+    }
+    let inner = b.inset(t, 0.0, 0.0);
+    m.board(inner.z(b.min.z..b.min.z + back), &shade(&main, 0.8));
+    for (row, space) in shelves(&mut m, inner.z(b.min.z + back..b.max.z), rows, t, &main).into_iter().enumerate() {
+        m.solid(space.share(0.0..1.0, 0.0..0.9, 0.0..0.92));
+        for (column, cell) in space.split(0, columns, t).enumerate() {
+            if column > 0 {
+                m.mesh.crisp(cell.x(cell.min.x - t..cell.min.x), &main);
+            }
+            let full = cell.share(0.02..0.98, 0.0..0.9, 0.06..0.9);
+            let out = (row + 2 * column) % 3 == 1;
+            let run = if out { full.z(full.min.z..full.max.z - 0.12 * a.d) } else { full };
+            let sleeves = pieces(run.size().x, 0.022, 4, 96 / (columns * rows).max(4));
+            for sleeve in run.split(0, sleeves, 0.002) {
+                let look = Stuff(Finish::Paper, *dice.pick(&SLEEVES)).surface();
+                m.mesh.crisp(sleeve.share(0.0..1.0, 0.0..0.96 + 0.04 * dice.unit(), 0.0..1.0), &look);
+            }
+            if out {
+                cover(&mut m.mesh, full.z(full.max.z - 0.08 * a.d..full.max.z - 0.06 * a.d), *dice.pick(&SLEEVES));
+            }
+        }
+    }
+    m
+}
+
+/// The colours of records' sleeves.
+const SLEEVES: [u32; 8] = [0x2f5d7c, 0xb9422f, 0xd9a441, 0x3c6b4f, 0x222629, 0xe6dfd2, 0x7b4a75, 0xd97b4f];
+
+/// A sleeve seen from the front, and the record that peeps out of it.
+fn cover(mesh: &mut Mesh, b: Block, color: u32) {
+    let (size, deep) = (b.size(), b.size().z);
+    let r = 0.4 * size.x.min(size.y);
+    let c = b.center();
+    mesh.crisp(b.share(0.06..0.94, 0.0..0.95, 0.0..0.6), &Stuff(Finish::Paper, color).surface());
+    let disc = block(c.x - r..c.x + r, c.y - r..c.y + r, b.min.z + 0.6 * deep..b.min.z + 0.9 * deep);
+    mesh.disc(2, disc, &stuff::RUBBER.surface());
+    let label = block(c.x - 0.35 * r..c.x + 0.35 * r, c.y - 0.35 * r..c.y + 0.35 * r, disc.max.z..b.max.z);
+    mesh.disc(2, label, &stuff::RED.surface());
+}
+
 /// Heavy racks: uprights, beams, boards, and cartons on some of them.
 pub(super) fn rack(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
@@ -448,7 +499,8 @@ pub(super) fn display_case(a: &Ask) -> BuiltModel {
         m.mesh.crisp(door, &stuff::GLASS.surface());
     }
     let rows = pieces(glass.size().y, 0.4, 1, 5);
-    let goods = if a.says(&["bakery", "pastry", "cake", "food", "bread"]) { BAKED } else { EXHIBITS };
+    let baked = a.says(&["bakery", "pastry", "cake", "food", "bread", "pie"]);
+    let goods = if baked { BAKED } else { EXHIBITS };
     let mut dice = a.dice();
     for (row, shelf) in glass.inset(0.02, 0.0, 0.02).split(1, rows, 0.0).enumerate() {
         let board = if row == 0 { shelf.min.y } else { shelf.min.y + 0.5 * t };
@@ -460,11 +512,16 @@ pub(super) fn display_case(a: &Ask) -> BuiltModel {
         // One solid for all that stands on a shelf.
         let highest = 0.14_f64.min(0.5 * shelf.size().y);
         m.solid(shelf.inset(0.02, 0.0, 0.3 * shelf.size().z).y(board..board + highest));
-        for place in shelf.split(0, pieces(shelf.size().x, 0.2, 2, 8), 0.0) {
+        for (at, place) in shelf.split(0, pieces(shelf.size().x, 0.22, 2, 6), 0.0).enumerate() {
             let size = place.size();
             let high = highest * (0.6 + 0.4 * dice.unit());
-            let thing = place.inset(0.28 * size.x, 0.0, 0.3 * size.z).y(board..board + high);
-            m.mesh.rounded(thing, 0.3 * high.min(thing.size().x).min(thing.size().z), 1, &dice.pick(goods).surface());
+            let thing = place.inset(0.26 * size.x, 0.0, 0.3 * size.z).y(board..board + high);
+            let look = dice.pick(goods).surface();
+            if baked {
+                m.mesh.rounded(thing, 0.3 * high.min(thing.size().x).min(thing.size().z), 1, &look);
+            } else {
+                exhibit(&mut m.mesh, thing, row + at, &look);
+            }
         }
     }
     m
@@ -473,8 +530,23 @@ pub(super) fn display_case(a: &Ask) -> BuiltModel {
 /// What is shown in a case, as colours tell.
 const BAKED: &[Stuff] =
     &[Stuff(Finish::Ceramic, 0xb9783a), Stuff(Finish::Ceramic, 0xd8a25a), Stuff(Finish::Ceramic, 0x7a4a2b)];
-const EXHIBITS: &[Stuff] =
-    &[Stuff(Finish::Ceramic, 0xe8e4da), Stuff(Finish::Ceramic, 0x6f8f9b), Stuff(Finish::Ceramic, 0xc58b5a)];
+const EXHIBITS: &[Stuff] = &[
+    Stuff(Finish::Ceramic, 0xe8e4da),
+    Stuff(Finish::Ceramic, 0x2f6f8f),
+    Stuff(Finish::Ceramic, 0xc2603a),
+    Stuff(Finish::Brass, 0xd8a83f),
+    Stuff(Finish::Ceramic, 0x4f7d5a),
+];
+
+/// A vase, a ball on a foot, or a bowl.
+fn exhibit(mesh: &mut Mesh, b: Block, which: usize, look: &Surface) {
+    const SHAPES: [&[(f64, f64)]; 3] = [
+        &[(0.5, 0.0), (1.0, 0.35), (0.35, 0.78), (0.6, 1.0)],
+        &[(0.6, 0.0), (0.3, 0.2), (1.0, 0.6), (0.5, 1.0)],
+        &[(0.4, 0.0), (0.4, 0.3), (1.0, 0.7), (0.8, 0.7)],
+    ];
+    mesh.lathe(b, SHAPES[which % 3], 8, look);
+}
 
 /// A pole with hooks on a round foot.
 pub(super) fn coat_rack(a: &Ask) -> BuiltModel {

@@ -277,14 +277,20 @@ pub(super) fn workbench(a: &Ask) -> BuiltModel {
     m
 }
 
-/// A slanted board on a column: the audience is at +z, the speaker behind.
+/// A slanted board on a column: the audience is at +z, the speaker behind. A high one has a microphone, that of a host a book
+/// and a lamp.
 pub(super) fn lectern(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
     let main = a.main(stuff::WALNUT);
     let (x, z) = (a.w / 2.0, a.d / 2.0);
+    let equipped = a.h > 0.9 && !a.says(&["pulpit", "witness"]);
+    let top = if equipped { 0.86 * a.h } else { a.h };
+    if equipped {
+        m.surface = Some(top);
+    }
     let foot = 0.04_f64.min(0.1 * a.h);
-    let low = a.h - 0.16_f64.min(0.3 * a.h);
+    let low = top - 0.16_f64.min(0.3 * a.h);
     m.rounded(b.y(0.0..foot).inset(0.06 * a.w, 0.0, 0.03 * a.d), 0.01, &main);
     m.board(block(-0.32 * a.w..0.32 * a.w, foot..low, -0.28 * a.d..0.3 * a.d), &main);
     m.mesh.board(
@@ -292,8 +298,26 @@ pub(super) fn lectern(a: &Ask) -> BuiltModel {
         &shade(&main, 1.2),
     );
     let thick = 0.03_f64.min(0.08 * a.h);
-    m.extrude(0, &[(low, -z), (low, z), (a.h, z), (low + thick, -z)], -x..x, &shade(&main, 1.1));
+    m.extrude(0, &[(low, -z), (low, z), (top, z), (low + thick, -z)], -x..x, &shade(&main, 1.1));
+    if equipped {
+        fitted(&mut m, b.y(top..a.h), a.says(&["host", "hostess", "maitre"]));
+    }
     m
+}
+
+/// What stands on the upper edge of a lectern: a microphone on a neck, or the lamp of a host and a book that leans there.
+fn fitted(m: &mut BuiltModel, b: Block, host: bool) {
+    let dark = stuff::BLACK_STEEL.surface();
+    if host {
+        let brass = stuff::BRASS.surface();
+        m.board(b.share(0.16..0.2, 0.0..0.7, 0.84..0.9), &brass);
+        m.board(b.share(0.06..0.3, 0.7..1.0, 0.74..0.98), &Stuff(Finish::Glow, 0xf6d79a).surface());
+        m.board(b.share(0.44..0.9, 0.0..0.62, 0.84..0.92), &Stuff(Finish::Leather, 0x6f1f2a).surface());
+        m.mesh.crisp(b.share(0.5..0.84, 0.2..0.4, 0.92..0.93), &brass);
+        return;
+    }
+    m.board(b.share(0.47..0.53, 0.0..0.6, 0.88..0.94), &dark);
+    m.board(b.share(0.44..0.56, 0.6..1.0, 0.8..0.94), &stuff::DARK_PLASTIC.surface());
 }
 
 /// A low platform with an edge.

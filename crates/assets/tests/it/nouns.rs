@@ -237,6 +237,13 @@ pub const SHAPES: &[&str] = &[
     "colander",
     "parallel bars",
     "climbing frame",
+    "corner bathtub",
+    "island freezer",
+    "refrigerated display",
+    "basket stack",
+    "host stand",
+    "microphone stand",
+    "styling counter",
 ];
 
 /// A noun for each family, with its usual size: its own name if that has one, else the first alias that does.

@@ -120,6 +120,7 @@ const OPENING: &[(&str, &str, usize)] = &[
     ("washing machine", "", 1),
     ("microwave", "", 1),
     ("display case", "", 1),
+    ("display freezer", "", 1),
     ("toilet", "", 1),
     ("laptop", "closed", 1),
     ("treasure chest", "", 1),
