@@ -362,8 +362,7 @@ mod tests {
 
     #[test]
     fn what_is_drawn_as_something_else_is_told() {
-        let say =
-            "W0604 the library has no shape of its own for \"elliptical trainer\"; it is drawn as something similar";
+        let say = "W0604 the library has no shape of its own for \"elliptical trainer\"; such an object is drawn as something similar";
         let note = "\"elliptical trainer\" has the shape of \"treadmill\"";
         assert_eq!(told(&["elliptical trainer", "treadmill"]), [(say.to_owned(), String::new(), note.to_owned())]);
         let both = told(&["elliptical trainer", "humidifier", "elliptical trainer"]);
@@ -392,12 +391,12 @@ mod tests {
         all(
             [
                 (
-                    "W0601 the library has no model for \"g0\", \"g1\", \"g2\" and 4 more; they become labelled boxes",
+                    "W0601 the library has no model for \"g0\", \"g1\", \"g2\" and 4 more; such objects become labelled boxes",
                     "g1 g2 g3 g4",
                     rest,
                 ),
                 (
-                    "W0602 there is no usual size for \"g0\", \"g1\", \"g2\" and 4 more; they become cubes of 0.5 m",
+                    "W0602 there is no usual size for \"g0\", \"g1\", \"g2\" and 4 more; such objects become cubes of 0.5 m",
                     "g1 g2 g3 g4",
                     rest,
                 ),

@@ -55,7 +55,7 @@ const LONG_BED: f64 = 1.8;
 /// A seating group of a lobby has at least so much around it, where there is a choice (metres).
 const APART_FROM_OTHERS: f64 = 1.4;
 /// In mid-room it is so much farther from there (metres).
-const FREE: f64 = 2.6;
+const FREE: f64 = 3.8;
 /// What is parked along a wall is so far from it (metres).
 const ALONG_WALL: f64 = 0.05;
 const WINDOW_SEAT: &str = "window seat";

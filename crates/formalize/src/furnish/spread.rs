@@ -13,6 +13,8 @@ const STEPS: [usize; 2] = [4, 8];
 const SHIFTS: [i32; 2] = [2, 5];
 /// Of the arrangements so many are held against the ways.
 const TRIED: usize = 8;
+/// Of fewer, each finds a place by itself.
+const SEVERAL: usize = 4;
 /// A wall is as good as something that is so much nearer (metres).
 const NEARER: f64 = 0.5;
 /// No more than this are spread, and no floor is emptier than this around a thing.
@@ -51,7 +53,8 @@ impl Choice<'_> {
         if !(2..=MOST).contains(&n) || self.near.is_some() {
             return None;
         }
-        [0, 1].iter().find_map(|time| self.spread_once(floor, shape, (n, yaws), *time))
+        let times = if n < SEVERAL { &[0][..] } else { &[0, 1] };
+        times.iter().find_map(|time| self.spread_once(floor, shape, (n, yaws), *time))
     }
 
     fn spread_once(&self, floor: &Floor, shape: &Shape, (n, yaws): (usize, &[f64]), time: usize) -> Option<Vec<Pose>> {

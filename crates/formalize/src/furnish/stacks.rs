@@ -7,7 +7,7 @@ use super::{place, seek, stand};
 use crate::brief::Group;
 
 /// So many shelves stand at the walls.
-const AT_WALLS: usize = 8;
+const AT_WALLS: usize = 12;
 /// Between double rows, and around all of them, where people walk and choose (metres).
 const AISLE: f64 = 1.1;
 const AROUND: f64 = 0.9;

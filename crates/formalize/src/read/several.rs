@@ -184,7 +184,7 @@ fn is_annex(of: &str, room: &str) -> bool {
             return matches!(room, "waiting room" | "reception room") || STORES.contains(&room);
         }
         "recording studio" => return room == "control room",
-        "patient room" | "care room" => return kind(room) == "bathroom",
+        "patient room" | "care room" | "hotel suite" => return kind(room) == "bathroom",
         "pharmacy" | "bank" | "museum" | "gallery" => return STORES.contains(&room),
         "warehouse" | "factory hall" | "workshop" | "woodworking shop" | "repair garage" => {
             return matches!(room, "office" | "break room" | "locker room") || STORES.contains(&room);
@@ -203,6 +203,8 @@ fn is_annex(of: &str, room: &str) -> bool {
 /// Whether such a room has things of this name in it: a clothes shop its fitting rooms.
 fn is_furniture(room: &str, noun: &str) -> bool {
     let kind = crate::furnish::kinds::of(room);
+    // "A nurses' station" is a nurse station.
+    let noun = noun.replace("s' ", " ").replace("'s ", " ");
     kind.is_some_and(|kind| kind.lines.iter().any(|line| line.noun == noun))
 }
 

@@ -187,6 +187,17 @@ const OTHER: &[&str] = &[
     "toy",
     "play",
     "pretend",
+    "changing",
+    "checkout",
+    "drafting",
+    "drawing",
+    "jewellery",
+    "jewelry",
+    "luggage",
+    "suitcase",
+    "refrigerated",
+    "display",
+    "door",
 ];
 /// How far from the sides that is (metres).
 const EDGE: f64 = 0.03;

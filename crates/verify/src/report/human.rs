@@ -136,7 +136,10 @@ fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_
     }
     let mut hints = Vec::new();
     words.explain(row, &mut notes, &mut hints);
-    let headline = if row.measured.is_empty() { &row.text } else { &row.measured };
+    // A measure of support begins with "it".
+    let whose = row.text.strip_suffix(" is supported").filter(|_| row.kind == RowKind::Support);
+    let supported = whose.map(|whose| format!("{whose} is not supported: {}", row.measured));
+    let headline = if row.measured.is_empty() { &row.text } else { supported.as_ref().unwrap_or(&row.measured) };
     let mut related: Vec<(Span, String)> = row.related.iter().map(|l| (l.place, l.message.clone())).collect();
     let primary = if stated {
         (row.place, label)

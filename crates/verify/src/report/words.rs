@@ -86,11 +86,11 @@ impl<'a> Words<'a> {
             }
         };
         let mut parts = Vec::new();
-        if held > 0 && !repair.breaks.is_empty() {
+        if held > 0 {
             let what = if row.kind == RowKind::Assert { "other assertions" } else { "assertions" };
             parts.push(format!("{} of {held} {what} still hold", held - broken));
         }
-        if repair.breaks.is_empty() {
+        if held == 0 && repair.breaks.is_empty() {
             parts.push("nothing else is violated".to_owned());
         }
         if !repair.breaks.is_empty() {
