@@ -366,7 +366,7 @@ mod tests {
         let note = "\"elliptical trainer\" has the shape of \"treadmill\"";
         assert_eq!(told(&["elliptical trainer", "treadmill"]), [(say.to_owned(), String::new(), note.to_owned())]);
         let both = told(&["elliptical trainer", "humidifier", "elliptical trainer"]);
-        let say = "W0604 the library has no shape of its own for \"elliptical trainer\", \"humidifier\"; they are drawn as something similar";
+        let say = "W0604 the library has no shape of its own for \"elliptical trainer\", \"humidifier\"; such objects are drawn as something similar";
         assert_eq!(both.len(), 1);
         assert_eq!((both[0].0.as_str(), both[0].1.as_str()), (say, "humidifier"));
     }

@@ -69,14 +69,15 @@ fn stack(m: &mut BuiltModel, bed: Block, level: usize, dice: &mut crate::words::
     }
 }
 
-/// A slanted board with a sheet and a ruler across it, on a frame; who draws sits at +z.
+/// A board with a sheet and a ruler across it, on a frame; who draws sits at +z. The board is level: things lie on it.
 pub(super) fn drafting_table(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
     let top = a.main(Stuff(Finish::Wood, 0xd9bd92));
     let steel = a.second(stuff::BLACK_STEEL);
-    // The upper face of the board, from the lower edge at +z to the upper one at -z, as (height, depth) shares.
-    let (low, high) = ((0.62, 1.0), (1.0, 0.12));
+    // The upper face of the board, from the edge at +z to the one at -z, as (height, depth) shares.
+    let (low, high) = ((0.978, 1.0), (0.978, 0.0));
+    m.surface = Some(0.978 * a.h);
     let at = |along: f64, up: f64| {
         let y = (low.0 + (high.0 - low.0) * along + up) * a.h;
         (y, b.min.z + (low.1 + (high.1 - low.1) * along) * a.d)
@@ -103,16 +104,13 @@ pub(super) fn drafting_table(a: &Ask) -> BuiltModel {
         slab(&mut m, along, [0.0, lift], x, &ink);
     }
     slab(&mut m, [0.46, 0.47], [0.0, lift], [-0.26, -0.04], &ink);
-    // The ruler and its runners, and the ledge for pens.
+    // The ruler and its runners.
     let (rule, dark) = (Stuff(Finish::Plastic, 0xf2f2ee).surface(), stuff::DARK_PLASTIC.surface());
     slab(&mut m, [0.36, 0.43], [0.0, 0.016], [-0.47, 0.47], &rule);
     for side in [[-0.49, -0.45], [0.45, 0.49]] {
         slab(&mut m, [0.34, 0.45], [0.0, 0.022], side, &dark);
         slab(&mut m, [0.02, 0.98], [0.0, 0.006], [side[0] + 0.015, side[1] - 0.015], &stuff::STEEL.surface());
     }
-    let ledge = b.share(0.05..0.95, 0.56..0.6, 0.95..1.0);
-    m.board(ledge, &dark);
-    m.board(ledge.share(0.0..1.0, 1.0..1.7, 0.7..1.0), &dark);
     frame(&mut m, b, &steel);
     m
 }
@@ -122,10 +120,10 @@ fn frame(m: &mut BuiltModel, b: Block, steel: &Surface) {
     for foot in b.share(0.1..0.15, 0.0..0.05, 0.0..0.96).both_sides() {
         m.board(foot, steel);
         let post = foot.share(0.1..0.9, 0.0..1.0, 0.42..0.54);
-        m.board(post.y(foot.max.y..0.71 * b.max.y), steel);
+        m.board(post.y(foot.max.y..0.938 * b.max.y), steel);
     }
     m.board(b.share(0.15..0.85, 0.18..0.22, 0.46..0.5), steel);
-    m.board(b.share(0.2..0.8, 0.0..1.0, 0.44..0.5).y(0.62 * b.max.y..0.7 * b.max.y), steel);
+    m.board(b.share(0.2..0.8, 0.0..1.0, 0.44..0.5).y(0.86 * b.max.y..0.93 * b.max.y), steel);
 }
 
 /// A table to cut cloth on: a green mat with a grid, bolts of cloth on a shelf below.

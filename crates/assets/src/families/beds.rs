@@ -264,15 +264,14 @@ pub(super) fn soft(a: &Ask) -> BuiltModel {
     m
 }
 
-/// A table to change a baby on: a mat with raised sides on a top with a rim, and shelves with baskets and cloths below.
+/// A table to change a baby on: a mat with padded sides on a top with a rim, and shelves with baskets and cloths below.
 pub(super) fn changing_table(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
     let wood = a.main(stuff::BIRCH);
-    let top = a.h - 0.11_f64.min(0.15 * a.h);
+    let top = a.h - 0.08_f64.min(0.12 * a.h);
     let thick = 0.025_f64.min(0.04 * a.h);
     let t = 0.03_f64.min(0.06 * a.w).min(0.08 * a.d);
-    m.surface = Some(top + 0.45 * (a.h - top));
     for side in b.x(b.min.x..b.min.x + t).y(0.0..top).both_sides() {
         m.board(side, &wood);
     }
@@ -303,16 +302,15 @@ pub(super) fn changing_table(a: &Ask) -> BuiltModel {
             );
         }
     }
-    // The mat: two long sides that rise, and between them where the baby lies.
+    // The mat, which is level so that things can stand on it: two padded sides, and between them where the baby lies.
     let vinyl = a.second(Stuff(Finish::Fabric, 0x9fcbd6));
     let mat = b.inset(0.02 * a.w, 0.0, 0.02 * a.d).y(top + thick..a.h);
-    let bed = mat.share(0.0..1.0, 0.0..0.3, 0.14..0.86);
+    let bed = mat.share(0.1..1.0, 0.0..1.0, 0.2..0.8);
     m.cushion(bed, &shade(&vinyl, 1.5));
     for side in [mat.share(0.0..1.0, 0.0..1.0, 0.0..0.2), mat.share(0.0..1.0, 0.0..1.0, 0.8..1.0)] {
         m.cushion(side, &vinyl);
     }
-    m.cushion(mat.share(0.0..0.1, 0.0..0.8, 0.2..0.8), &vinyl);
-    m.cushion(mat.share(0.74..0.92, 0.3..0.5, 0.3..0.7), &stuff::SHEET.surface());
+    m.cushion(mat.share(0.0..0.1, 0.0..1.0, 0.2..0.8), &vinyl);
     for rim in b.x(b.min.x..b.min.x + 0.012 * a.w).y(top + thick..a.h - 0.3 * (a.h - top)).both_sides() {
         m.board(rim, &wood);
     }

@@ -124,6 +124,7 @@ pub fn refine(brief: &mut Brief) {
     named(brief);
     team(brief);
     stools_at_counter(brief);
+    worktop(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
         let n = match rows(brief, at) {
@@ -199,6 +200,20 @@ fn team(brief: &mut Brief) {
         let desks: usize = own.filter(|thing| is_desk(&thing.name())).filter_map(|thing| thing.number.said()).sum();
         if desks >= DESKS && kinds::of(&brief.rooms[at].name).is_some_and(|kind| kind.name == "office") {
             "open-plan office".clone_into(&mut brief.rooms[at].name);
+        }
+    }
+}
+
+/// "A kitchen with a counter", of which nothing else is said, has its worktop.
+fn worktop(brief: &mut Brief) {
+    for at in 0..brief.things.len() {
+        let thing = &brief.things[at];
+        let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
+        let is_told = brief.facts.iter().any(|fact| fact.of.contains(&at));
+        if kind.is_some_and(|kind| kind.name == "kitchen") && thing.words == ["counter"] && !is_told {
+            let thing = &mut brief.things[at];
+            thing.words.insert(0, "kitchen".into());
+            thing.last = 2;
         }
     }
 }

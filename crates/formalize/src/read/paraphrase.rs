@@ -29,7 +29,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::ring,
             meant::shaped_counter,
             meant::basement,
-            meant::four_poster,
+            meant::nurse_station,
             meant::with_children,
             meant::group_tables,
             meant::vehicles,

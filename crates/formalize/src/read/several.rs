@@ -203,8 +203,6 @@ fn is_annex(of: &str, room: &str) -> bool {
 /// Whether such a room has things of this name in it: a clothes shop its fitting rooms.
 fn is_furniture(room: &str, noun: &str) -> bool {
     let kind = crate::furnish::kinds::of(room);
-    // "A nurses' station" is a nurse station.
-    let noun = noun.replace("s' ", " ").replace("'s ", " ");
     kind.is_some_and(|kind| kind.lines.iter().any(|line| line.noun == noun))
 }
 
