@@ -90,7 +90,8 @@ pub(super) fn drafting_table(a: &Ask) -> BuiltModel {
     m.extrude(0, &outline, -0.5 * a.w..0.5 * a.w, &top);
     // A sheet with a plan on it.
     let (paper, ink) = (stuff::PAPER.surface(), Stuff(Finish::Paper, 0x3d5f8f).surface());
-    let lift = 0.006;
+    // Lines that cross lie one above the other.
+    let (lift, across) = (0.007, 0.005);
     slab(&mut m, [0.12, 0.86], [-0.01, 0.5 * lift], [-0.34, 0.34], &paper);
     for (along, x) in [([0.24, 0.255], [-0.26, 0.22]), ([0.74, 0.755], [-0.26, 0.22])] {
         slab(&mut m, along, [0.0, lift], x, &ink);
@@ -101,14 +102,15 @@ pub(super) fn drafting_table(a: &Ask) -> BuiltModel {
         ([0.46, 0.755], [-0.05, -0.04]),
         ([0.24, 0.36], [0.06, 0.07]),
     ] {
-        slab(&mut m, along, [0.0, lift], x, &ink);
+        slab(&mut m, along, [0.0, across], x, &ink);
     }
     slab(&mut m, [0.46, 0.47], [0.0, lift], [-0.26, -0.04], &ink);
     // The ruler and its runners.
     let (rule, dark) = (Stuff(Finish::Plastic, 0xf2f2ee).surface(), stuff::DARK_PLASTIC.surface());
     slab(&mut m, [0.36, 0.43], [0.0, 0.016], [-0.47, 0.47], &rule);
     for side in [[-0.49, -0.45], [0.45, 0.49]] {
-        slab(&mut m, [0.34, 0.45], [0.0, 0.022], side, &dark);
+        let carriage = [at(0.34, 0.0), at(0.45, 0.0), at(0.45, 0.022), at(0.34, 0.022)];
+        m.extrude(0, &carriage, side[0] * a.w..side[1] * a.w, &dark);
         slab(&mut m, [0.02, 0.98], [0.0, 0.006], [side[0] + 0.015, side[1] - 0.015], &stuff::STEEL.surface());
     }
     frame(&mut m, b, &steel);
