@@ -182,6 +182,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn every_keyword_is_explained_and_suggested() {
+        for word in keywords::all() {
+            assert!(meaning(word).is_some_and(|says| says.contains(word)), "{word}");
+        }
+        assert_eq!(nearest("asert"), Some("assert"));
+    }
+
+    #[test]
     fn every_predicate_function_and_property_is_explained() {
         let built_in = natives::BUILT_INS.iter().map(|s| s.name);
         let properties = [natives::OBJECT_PROPERTIES, natives::REGION_PROPERTIES].into_iter().flatten().map(|p| p.name);
