@@ -35,12 +35,9 @@ pub fn run(args: &Solve) -> u8 {
             return fail(&message);
         }
     }
-    let start = match &args.layout {
-        None => None,
-        Some(path) => match read(path) {
-            Ok(text) => Some((path.display().to_string(), text)),
-            Err(message) => return fail(&message),
-        },
+    let start = match args.layout.as_deref().map(start).transpose() {
+        Ok(start) => start,
+        Err(message) => return fail(&message),
     };
     let (judging, settings) = match settings::all(&args.judging, &Door::of(&args.scene)) {
         Ok(both) => both,
@@ -118,6 +115,11 @@ pub fn run(args: &Solve) -> u8 {
         }
     }
     if solved.first.layout().incomplete { INTERRUPTED } else { exit_code(&solved.first.checked.report) }
+}
+
+/// The name and the text of the layout to start from.
+fn start(path: &Path) -> Result<(String, String), String> {
+    Ok((path.display().to_string(), read(path)?))
 }
 
 /// Refuses a layout in place of a program.

@@ -408,8 +408,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         && stand::group(&it.category) == Group::Table
         && groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat);
     // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
-    let is_wanting = is_scattered || is_close.get() || is_behind.get();
-    plan.lacking += if placed { usize::from(is_wanting) } else { UNPLACED };
+    plan.lacking += if placed { usize::from(is_scattered || is_close.get() || is_behind.get()) } else { UNPLACED };
     placed
 }
 

@@ -312,9 +312,7 @@ fn at_anchors(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<
     let others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == brief.things[at].room);
     let has_one = |other: usize| {
         let parts = groups::of(&meant(brief.things[other].name()), kind.dress);
-        let mut like = parts.iter().filter(|part| {
-            (part.noun == noun || stand::are_kin(part.noun, &noun)) && stand::group(part.noun) != Group::Seat
-        });
+        let mut like = parts.iter().filter(|part| part.noun == noun && stand::group(part.noun) != Group::Seat);
         matches!((like.next(), like.next()), (Some(_), None))
     };
     others.filter(|other| brief.count(*other) > 1 && has_one(*other)).map(|other| brief.count(other)).next()

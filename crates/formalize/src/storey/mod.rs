@@ -246,7 +246,7 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
         let (area, side) = match kind(room).and_then(|kind| Some((kind, kind.home?))) {
             Some((kind, usual)) if home => at_home(draft, asked, room, (kind, usual)),
             // Beds of a ward stand side by side along its width.
-            Some(_) | None if kind(room).is_some_and(|kind| kind.bay.is_some()) => ([w * d, 1.1 * w * d], w),
+            _ if kind(room).is_some_and(|kind| kind.bay.is_some()) => ([w * d, 1.1 * w * d], w),
             _ => ([w * d, 1.25 * w * d], 0.75 * w.min(d)),
         };
         let beds = draft.things.iter().filter(|thing| thing.room == Some(room) && group(&thing.category) == Group::Bed);
