@@ -28,10 +28,12 @@ pub fn run(args: &Diff) -> u8 {
     let comparison = compare(&before, &after, args.threshold);
     match args.format {
         SummaryFormat::Human => {
-            for checked in [&before, &after] {
-                eprint!("{}", errors(checked));
+            let errors = [&before, &after].map(errors);
+            eprint!("{}", errors.concat());
+            // Of what cannot be read nothing is known.
+            if comparison.exit_code() != FAILED || errors.iter().all(String::is_empty) {
+                crate::out::show(&human(&comparison));
             }
-            crate::out::show(&human(&comparison));
         }
         SummaryFormat::Json => match serde_json::to_string(&comparison) {
             Ok(text) => println!("{text}"),

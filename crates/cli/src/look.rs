@@ -6,12 +6,15 @@ use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
 use scenelang_lang::library;
+use scenelang_verify::report::model::RowKind;
 use scenelang_verify::schemas;
 
 /// Shows the page of a code, or what a word of the language means.
 pub fn explain(args: &Explain) -> u8 {
     let word = args.words.join(" ");
-    if let Some(code) = Code::find(&word) {
+    // A physical rule has the page of what tells that it is violated.
+    let rule = RowKind::ALL.into_iter().find(|kind| kind.rule().is_some_and(|rule| rule.eq_ignore_ascii_case(&word)));
+    if let Some(code) = Code::find(&word).or(rule.map(RowKind::code)) {
         out::show(code.page());
         return GOOD;
     }
@@ -21,7 +24,7 @@ pub fn explain(args: &Explain) -> u8 {
         out::show(&found.join("\n"));
         return GOOD;
     }
-    eprintln!("error: `{word}` is not a code, keyword, predicate, function, property, setting or command");
+    eprintln!("error: `{word}` is not a code, rule, keyword, predicate, function, property, setting or command");
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
     if library::is_known(&word) {
         eprintln!("  it is a category: `scenelang categories {word}` shows its usual size");

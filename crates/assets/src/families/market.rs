@@ -338,3 +338,46 @@ fn basket_shell(m: &mut BuiltModel, b: Block, main: &Surface, open: bool) {
         }
     }
 }
+
+/// Ham, cheese, sausages and fish, by their colours.
+const FRESH: &[u32] = &[0xd98c8c, 0xf2d27a, 0xa6443a, 0xe8b7a0, 0xf4ead2, 0xc96f4a, 0x8fa35c];
+
+/// A chilled counter with its goods behind glass: the guests are at its front, who serves at its back.
+pub(super) fn deli_counter(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let b = a.whole();
+    let main = a.main(stuff::WHITE);
+    let (steel, glass) = (stuff::STEEL.surface(), stuff::GLASS.surface());
+    m.board(b.share(0.01..0.99, 0.0..0.08, 0.03..0.94), &stuff::DARK_PLASTIC.surface());
+    m.board(b.share(0.0..1.0, 0.08..0.5, 0.0..0.98), &main);
+    let band = b.share(0.0..1.0, 0.14..0.44, 0.98..1.0);
+    m.solid(band);
+    for panel in band.split(0, pieces(a.w, 0.6, 1, 8), 0.015) {
+        m.mesh.crisp(panel, &a.second(Stuff(Finish::Wood, 0xa9713f)));
+    }
+    // The top on which goods are handed over, and what carries it at the back.
+    m.board(b.share(0.0..1.0, 0.95..1.0, 0.0..1.0), &steel);
+    m.board(b.share(0.0..1.0, 0.5..0.95, 0.0..0.06), &main);
+    let hall = b.share(0.0..1.0, 0.5..0.95, 0.06..0.98);
+    m.solid(hall);
+    let pane = 0.012_f64.min(0.02 * a.d).min(0.02 * a.w);
+    m.mesh.crisp(hall.z(hall.max.z - pane..hall.max.z), &glass);
+    for side in hall.x(hall.min.x..hall.min.x + pane).z(hall.min.z..hall.max.z - pane).both_sides() {
+        m.mesh.crisp(side, &glass);
+    }
+    // Two rows of trays, the one at the back higher.
+    let inner = hall.inset(2.0 * pane, 0.0, 0.0);
+    let mut dice = a.dice();
+    for (row, rise) in
+        [(inner.share(0.0..1.0, 0.0..1.0, 0.05..0.48), 0.3), (inner.share(0.0..1.0, 0.0..1.0, 0.52..0.92), 0.1)]
+    {
+        for tray in row.split(0, pieces(a.w, 0.34, 2, 9), 0.03) {
+            m.mesh.crisp(tray.share(0.0..1.0, 0.0..rise, 0.0..1.0), &steel);
+            let food = Stuff(Finish::Paper, *dice.pick(FRESH)).surface();
+            for piece in tray.share(0.06..0.94, rise..rise + 0.3, 0.08..0.92).split(0, 3, 0.02) {
+                m.mesh.crisp(piece, &food);
+            }
+        }
+    }
+    m
+}

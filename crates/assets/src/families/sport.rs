@@ -189,3 +189,30 @@ pub(super) fn boxing_ring(a: &Ask) -> BuiltModel {
     }
     m
 }
+
+/// A wall of panels to climb, with holds of many colours.
+pub(super) fn climbing_wall(a: &Ask) -> BuiltModel {
+    const HOLDS: [u32; 6] = [0xd8433a, 0xf0b93a, 0x2f7fc2, 0x4f9d4a, 0xe8832e, 0x8a5fa8];
+    let mut m = BuiltModel::default();
+    let b = a.whole();
+    let main = a.main(Stuff(Finish::Wood, 0xd9c4a0));
+    let deep = 0.8 * a.d;
+    m.solid(b);
+    let face = b.z(b.min.z..b.min.z + deep);
+    let (cols, rows) = (pieces(a.w, 1.2, 1, 10), pieces(a.h, 1.2, 1, 6));
+    let mut dice = a.dice();
+    for (k, column) in face.split(0, cols, 0.006).enumerate() {
+        for (r, panel) in column.split(1, rows, 0.006).enumerate() {
+            m.mesh.board(panel, &shade(&main, if (k + r) % 2 == 0 { 1.0 } else { 0.93 }));
+            let front = panel.share(0.06..0.94, 0.06..0.94, 1.0..1.0).z(face.max.z..b.max.z);
+            for row in front.split(1, 3, 0.0) {
+                for spot in row.split(0, 3, 0.0) {
+                    let (x, y) = (0.15 + 0.4 * dice.unit(), 0.15 + 0.4 * dice.unit());
+                    let hold = spot.share(x..x + 0.3, y..y + 0.28, 0.0..1.0);
+                    m.mesh.crisp(hold, &Stuff(Finish::Plastic, *dice.pick(&HOLDS)).surface());
+                }
+            }
+        }
+    }
+    m
+}

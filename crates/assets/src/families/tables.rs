@@ -30,6 +30,9 @@ pub(super) fn table(a: &Ask) -> BuiltModel {
     let legs = a.legs(&main);
     let round = a.says(&["round", "circular", "oval", "pedestal", "bistro"]);
     let large = a.w.min(a.d) > 0.8 && a.w.max(a.d) > 2.0;
+    if a.says(&["ushaped", "horseshoe"]) || a.says(&["u"]) && a.says(&["shaped", "shape"]) {
+        return horseshoe(a, &main, &legs);
+    }
     let mut m = BuiltModel::default();
     let thick = if large { 0.05 } else { 0.035_f64 }.min(0.12 * a.h);
     let under = a.h - thick;
@@ -68,6 +71,34 @@ pub(super) fn table(a: &Ask) -> BuiltModel {
     }
     if a.h < 0.55 && a.h > 0.3 && a.w > 0.7 && a.says(&["coffee", "living", "low"]) {
         m.board(stand.inset(0.5 * t, 0.0, 0.5 * t).y(0.28 * a.h..0.28 * a.h + 0.6 * thick), &main);
+    }
+    m
+}
+
+/// Tables in a U that is open at the front, each part on legs; people sit at its outer sides.
+fn horseshoe(a: &Ask, main: &Surface, legs: &Surface) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let b = a.whole();
+    let thick = 0.035_f64.min(0.12 * a.h);
+    let under = a.h - thick;
+    let wide = 0.6_f64.min(0.3 * a.w).min(0.45 * a.d);
+    let arm = |x: std::ops::Range<f64>| b.x(x).z(b.min.z + wide..b.max.z);
+    let arms = arm(b.min.x..b.min.x + wide).both_sides();
+    for run in [b.z(b.min.z..b.min.z + wide), arms[0], arms[1]] {
+        let axis = if run.size().x > run.size().z { 0 } else { 2 };
+        let n = (run.size()[axis] / 1.8).ceil().max(1.0) as usize;
+        m.solid(run.y(under..a.h));
+        for table in run.split(axis, n, 0.004) {
+            m.mesh.rounded(table.y(under..a.h), 0.006, 1, main);
+        }
+        // A panel at each end, and one where two tables meet.
+        let t = 0.04_f64.min(0.1 * wide);
+        for k in 0..=n {
+            let at = run.min[axis] + (run.size()[axis] - t) * k as f64 / n as f64;
+            let mut panel = run.inset(0.03, 0.0, 0.03).y(0.0..under);
+            (panel.min[axis], panel.max[axis]) = (at, at + t);
+            m.board(panel, legs);
+        }
     }
     m
 }

@@ -142,3 +142,12 @@ fn margins_count_from_the_threshold_on() {
     };
     assert!(rows("0.001") > rows("100"));
 }
+
+/// Of a file that is not there nothing is compared.
+#[test]
+fn a_missing_layout_is_an_error_and_no_table() {
+    let folder = folder();
+    let ended = scenelang(folder.path(), ["diff", "before.layout.json", "nowhere.layout.json"]);
+    assert!(ended.code == 2 && ended.stdout.is_empty(), "{}{}", ended.stdout, ended.stderr);
+    assert!(ended.stderr.contains("nowhere.layout.json"), "{}", ended.stderr);
+}

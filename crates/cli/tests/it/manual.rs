@@ -63,3 +63,14 @@ fn shells_are_told_of_every_command() {
     let ended = run(Command::new("bash").args(["-c", asked]).current_dir(folder.path()), b"");
     assert_eq!(ended.stdout.trim(), "formalize", "{}", ended.stderr);
 }
+
+/// The name of a rule, as reports give it, leads to the page of its code.
+#[test]
+fn physical_rules_are_explained() {
+    let folder = tempfile::tempdir().unwrap();
+    for (rule, code) in [("P-COLLIDE", "V0102"), ("P-BOUNDS", "V0103"), ("p-support", "V0104"), ("P-OPEN", "V0107")] {
+        let [by_rule, by_code] = [rule, code].map(|word| scenelang(folder.path(), ["explain", word]));
+        assert_eq!((by_rule.code, by_rule.stdout), (0, by_code.stdout), "{rule}");
+    }
+    assert_eq!(scenelang(folder.path(), ["explain", "P-FLY"]).code, 2);
+}

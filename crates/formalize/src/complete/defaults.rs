@@ -35,6 +35,7 @@ const AT_ISLAND: usize = 3;
 /// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
 pub fn seats(brief: &mut Brief) {
     seats_at_each(brief);
+    gather_on_floor(brief);
     let people = brief.rooms.iter().find_map(|room| room.people);
     let is = |i: &Thing, noun: &str| i.words.last().is_some_and(|w| w == noun);
     // A baby sits in a chair of its own.
@@ -66,6 +67,24 @@ pub fn seats(brief: &mut Brief) {
     };
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], FactKind::Rel(Rel::Around, vec![table]), ThingOrigin::Inferred(why)));
+}
+
+/// Several bean bags of which nothing else is said stand around a low table.
+fn gather_on_floor(brief: &mut Brief) {
+    const SEVERAL: std::ops::RangeInclusive<usize> = 2..=4;
+    let is_bag = |thing: &Thing| matches!(thing.name().as_str(), "bean bag" | "beanbag");
+    let Some(bags) = brief.things.iter().position(is_bag) else { return };
+    let room = brief.things[bags].room;
+    let is_said = brief.facts.iter().any(|fact| fact.of.contains(&bags) && fact.what.objects().is_some());
+    let is_open = brief
+        .rooms
+        .get(room)
+        .is_some_and(|room| !room.only && kinds::of(&room.name).is_some_and(|kind| kind.dress != "kids"));
+    let n = brief.count(bags);
+    if is_said || !is_open || !SEVERAL.contains(&n) {
+        return;
+    }
+    push(brief, room, "round lounge table", 1, &format!("{n} people sit there"));
 }
 
 /// "Six tables for eight": so many chairs at each, where nothing is said of seats.

@@ -106,6 +106,9 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         {
             size[0] = size[0].max(FOR_TWO);
         }
+        if !sized {
+            fit_horseshoe(plan, at);
+        }
         let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
         let is_round = stand::round(&thing.category, &thing.look.features);
@@ -135,6 +138,17 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         {
             size[0] = (needed * 100.0).ceil() / 100.0;
         }
+    }
+}
+
+/// A table like a U is as large as the seats need at its outer sides that are asked for, or the people in the room.
+fn fit_horseshoe(plan: &mut Plan, at: usize) {
+    let parts = groups::of(&plan.draft.things[at].category.replace('_', " "), plan.kind.dress);
+    let Some(part) = parts.iter().find(|part| matches!(part.at, groups::Where::Outside(..))) else { return };
+    let asked = plan.companions(at).into_iter().map(|seat| plan.draft.things[seat].count).max();
+    let Some(n) = asked.or(plan.people) else { return };
+    if let Some(size) = plan.draft.things[at].size.as_mut() {
+        [size[0], size[2]] = slots::horseshoe(n, Plan::size(part.noun)[0]).map(|v| (v * 100.0).ceil() / 100.0);
     }
 }
 
@@ -402,11 +416,12 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         keep_there(plan, thing, like, received);
         keep_gaps(plan, thing, size);
     }
-    // Several tables that stand where there is a gap want a larger room.
+    // Several tables that stand where there is a gap want a larger room, and so do counters that are not side by side.
+    let is_served = like.line.is_some_and(|line| matches!(line.place, PlanPlace::Service(_)));
     let is_scattered = it.count > 1
         && row.borrow().is_empty()
         && stand::group(&it.category) == Group::Table
-        && groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat);
+        && (is_served || groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat));
     // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
     plan.lacking += if placed { usize::from(is_scattered || is_close.get() || is_behind.get()) } else { UNPLACED };
     placed
@@ -523,6 +538,8 @@ fn straighten(plan: &mut Plan, thing: usize) {
     let along = it.size.is_none_or(|s| s[0] >= s[2]);
     let yaw = match (w >= d) == along {
         _ if is_driven_in(&it.category) && gate(plan).is_some() => "0",
+        // Its open side is towards the screen.
+        _ if groups::is_open_to_front(&it.category.replace('_', " "), plan.kind.dress) => "0",
         // Who sits at an island has the kitchen before the eyes.
         _ if it.category.ends_with("island") => match island_turn(plan) {
             0.0 => "0",

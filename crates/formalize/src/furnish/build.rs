@@ -187,8 +187,7 @@ impl Building {
                 let feet = Pose { z: (size[2] + FEET) / 2.0, y: 0.05, ..Pose::default() };
                 self.shape.free.push((frame.then(&feet), [size[0], 1.0, FEET]));
             }
-            let seat = matches!(at, Where::Around(..) | Where::LongSides(..))
-                || matches!(at, Where::Front(..)) && noun.ends_with("chair");
+            let seat = at.is_around() || matches!(at, Where::Front(..)) && noun.ends_with("chair");
             if seat {
                 let behind = Pose { z: -(size[2] + PULL) / 2.0, y: 0.05, ..Pose::default() };
                 self.shape.free.push((frame.then(&behind), [size[0], 1.0, PULL]));

@@ -41,7 +41,7 @@ impl Plan<'_> {
         let skips = |noun| self.building.as_ref().is_none_or(|group| group.skip.contains(&noun));
         let smaller = matches!(part.at, Where::Under(..)) && skips(part.noun) && !skips(SMALLER);
         let left_out = skips(part.noun) && !smaller;
-        let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
+        let around = part.at.is_around();
         if !is_claimed(part) || left_out || around && self.is_at_wall(&self.draft.things[thing].name) {
             return false;
         }
@@ -176,7 +176,7 @@ impl Plan<'_> {
 
     /// Whether what is said of a thing holds where such a part stands, as far as its words tell.
     fn agrees(&self, part: &GroupPart, name: &str) -> bool {
-        let around = matches!(part.at, Where::Around(..) | Where::LongSides(..));
+        let around = part.at.is_around();
         let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
         self.draft.statements.iter().filter(about).filter(|s| !daylight::is_moving_window(self, s)).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
@@ -300,6 +300,7 @@ fn wheres(part: &GroupPart, each: usize, wall: AtWall) -> Vec<Where> {
         Where::RowBehind(_, gap) => vec![Where::RowBehind(each, gap)],
         Where::Around(_, gap) => vec![Where::Around(each, gap)],
         Where::LongSides(_, gap) => vec![Where::LongSides(each, gap)],
+        Where::Outside(_, gap) => vec![Where::Outside(each, gap)],
         Where::Side(gap, along, left, yaw) => {
             vec![part.at.clone(), Where::Side(gap, along, -left, (360.0 - yaw) % 360.0)]
         }
@@ -322,10 +323,10 @@ fn wheres(part: &GroupPart, each: usize, wall: AtWall) -> Vec<Where> {
 
 /// Whether a part stands on the floor beside what it goes with, or is a television on its stand or a mirror above it.
 fn is_claimed(part: &GroupPart) -> bool {
-    use Where::{Above, Around, Back, Enclose, Front, LongSides, Row, RowBehind, Side, Sides, Top, Under};
+    use Where::{Above, Around, Back, Enclose, Front, LongSides, Outside, Row, RowBehind, Side, Sides, Top, Under};
     match part.at {
         Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | RowBehind(..) => true,
-        Around(..) | LongSides(..) | Under(..) => true,
+        Around(..) | LongSides(..) | Outside(..) | Under(..) => true,
         Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
         Above(..) => part.noun == "mirror",
         _ => false,

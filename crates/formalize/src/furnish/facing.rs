@@ -54,8 +54,13 @@ pub fn is_set(plan: &Plan, thing: usize, count: usize) -> bool {
     let is_about = |text: &str| !text.contains("inside(") && !text.contains("onFloor(") && !at_fire(text);
     let said = plan.draft.statements.iter().filter(of_it);
     let mut said = said.filter(|s| matches!(s.source, ThingOrigin::Stated(_)) && is_about(&s.text));
+    // Each has a table of its own if there are several.
+    let is_low = |t: &DraftThing| {
+        t.room == it.room && t.count > 1 && matches!(t.category.as_str(), "coffee_table" | "low_table")
+    };
+    let apart = plan.draft.things.iter().any(is_low);
     let l_shaped = it.look.features.iter().any(|feature| feature.contains("shaped"));
-    it.count == count && is_sofa && !l_shaped && !it.category.contains("corner") && said.next().is_none()
+    it.count == count && is_sofa && !apart && !l_shaped && !it.category.contains("corner") && said.next().is_none()
 }
 
 fn is_fire(thing: &DraftThing) -> bool {

@@ -36,6 +36,8 @@ pub enum Where {
     Around(usize, f64),
     /// At its long sides only.
     LongSides(usize, f64),
+    /// At the outer sides of a U, which is open at its front.
+    Outside(usize, f64),
     /// Flat under it, so much wider and deeper.
     Under(f64, f64, f64),
     /// From the ceiling, over its middle.
@@ -44,6 +46,13 @@ pub enum Where {
     Above(f64, f64),
     /// All around it, so far from its sides and its back: only what is asked for.
     Enclose(f64, f64),
+}
+
+impl Where {
+    /// Whether people sit there, on more than one side of a table.
+    pub fn is_around(&self) -> bool {
+        matches!(self, Self::Around(..) | Self::LongSides(..) | Self::Outside(..))
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +85,11 @@ pub fn listed(name: &str, dress: &str) -> Option<&'static [GroupPart]> {
 /// Whether visitors sit across from who works at such a thing.
 pub fn is_visited(name: &str, dress: &str) -> bool {
     of(name, dress).iter().any(|part| matches!(part.at, Where::RowBehind(..)))
+}
+
+/// Whether people sit at all sides of such a thing but its front.
+pub fn is_open_to_front(name: &str, dress: &str) -> bool {
+    of(name, dress).iter().any(|part| matches!(part.at, Where::Outside(..)))
 }
 
 /// Whether what goes with such a thing continues along the next wall.
@@ -133,6 +147,7 @@ fn part(line: &'static str) -> Option<GroupPart> {
         "top" => Where::Top(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
         "board" => Where::Board(n(0)? as usize, n(1)?, n(2).map_or(1, |n| n as usize)),
         "around" => Where::Around(n(0)? as usize, n(1)?),
+        "outside" => Where::Outside(n(0)? as usize, n(1)?),
         "longsides" => Where::LongSides(n(0)? as usize, n(1)?),
         "under" => Where::Under(n(0)?, n(1)?, n(2).unwrap_or(0.0)),
         "over" => Where::Over,

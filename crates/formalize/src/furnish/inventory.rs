@@ -65,7 +65,7 @@ pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
 
 /// Whether people sit around such a thing.
 pub(super) fn has_seats(plan: &Plan, noun: &str) -> bool {
-    let around = |part: &groups::GroupPart| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
+    let around = |part: &groups::GroupPart| part.at.is_around();
     stand::group(noun) == Group::Table && groups::of(noun, plan.kind.dress).iter().any(around)
 }
 
@@ -152,10 +152,8 @@ fn under_screen(plan: &Plan, line: &Line) -> f64 {
 /// The size of a thing; a table is as long as the people need who sit at it.
 pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
     let mut size = Plan::size(noun);
-    let around =
-        |part: &&groups::GroupPart| matches!(part.at, groups::Where::Around(..) | groups::Where::LongSides(..));
     let all = kinds::seats_all(plan.kind, noun);
-    let sits = |part: &&groups::GroupPart| around(part) && (all || matches!(part.at, groups::Where::Around(..)));
+    let sits = |part: &&groups::GroupPart| part.at.is_around() && (all || matches!(part.at, groups::Where::Around(..)));
     let seats = groups::of(noun, plan.kind.dress).iter().find(sits);
     if let (Some(people), Some(part), 1) = (plan.people, seats, n) {
         let [w, _, d] = plan.draft.rooms[plan.room].size;

@@ -41,7 +41,7 @@ mod tops;
 mod twin;
 mod whom;
 
-use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Rel};
+use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Rel, Thing};
 use crate::draft::{Draft, DraftThing, ThingOrigin};
 pub use area::overfull;
 pub use daylight::sill;
@@ -277,6 +277,16 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| plural && thing.name() == "bunk bed") {
         return Some(people.div_ceil(2));
     }
+    // "Sofas and low tables": one before each.
+    let is_sofa = |other: &Thing| {
+        other.room == thing.room && other.group == Group::Seat && stand::counts_as("sofa", &other.name())
+    };
+    if plural
+        && matches!(thing.name().as_str(), "low table" | "coffee table")
+        && let Some(sofas) = brief.things.iter().position(is_sofa)
+    {
+        return Some(brief.count(sofas));
+    }
     // "Monitors" of four beds are four.
     if let Some(each) = at_anchors(brief, at, kind).filter(|_| plural) {
         return Some(each);
@@ -341,7 +351,10 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<u
     let seat = meant(thing.name());
     let each = |table: &str| {
         groups::of(table, kind.dress).iter().find_map(|part| match part.at {
-            groups::Where::Around(n, _) | groups::Where::LongSides(n, _) | groups::Where::Row(n, _)
+            groups::Where::Around(n, _)
+            | groups::Where::LongSides(n, _)
+            | groups::Where::Outside(n, _)
+            | groups::Where::Row(n, _)
                 if n > 0 && stand::counts_as(part.noun, &seat) =>
             {
                 Some(n)
@@ -502,7 +515,9 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
 pub fn seats_at(room: &str, table: &str) -> Option<(usize, &'static str)> {
     let dress = kinds::of(room).map_or("", |kind| kind.dress);
     groups::of(table, dress).iter().find_map(|part| match part.at {
-        groups::Where::Around(n, _) | groups::Where::LongSides(n, _) => Some((n, part.noun)),
+        groups::Where::Around(n, _) | groups::Where::LongSides(n, _) | groups::Where::Outside(n, _) => {
+            Some((n, part.noun))
+        }
         _ => None,
     })
 }

@@ -30,6 +30,10 @@ const DEEP: usize = 4;
 const COUNTER: &str = "kitchen counter";
 const SINK: &str = "kitchen sink";
 const WINDOW_SINK: &str = "window sink";
+/// A table in a restaurant that is shorter is for two (metres).
+const FOR_FOUR: f64 = 1.1;
+const RESTAURANT_TABLE: &str = "restaurant table";
+const SMALL_RESTAURANT_TABLE: &str = "small restaurant table";
 
 /// A room and its draft.
 pub struct Plan<'a> {
@@ -127,10 +131,17 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Whether one eats in the room for want of another, beside what such a room has.
+    /// Whether one eats in the room for want of another, beside what such a room has: in a home of several rooms, and where
+    /// one cooks.
     pub fn dines(&self) -> bool {
         let eats = |room: &crate::draft::DraftRoom| super::kinds::of(&room.kind).is_some_and(|kind| kind.is_eaten_in());
-        !self.kind.eat.is_empty() && self.draft.rooms.len() > 1 && !self.draft.rooms.iter().any(eats)
+        let cooks = |thing: &DraftThing| {
+            thing.room == Some(self.room)
+                && matches!(thing.source, ThingOrigin::Stated(_))
+                && thing.category.replace('_', " ").ends_with(COUNTER)
+        };
+        let is_home = self.draft.rooms.len() > 1 || self.draft.things.iter().any(cooks);
+        !self.kind.eat.is_empty() && is_home && !self.draft.rooms.iter().any(eats)
     }
 
     /// Whether rows of people look to the back of the room.
@@ -274,6 +285,8 @@ impl<'a> Plan<'a> {
         let is_under_window = self.is_under_window(&self.draft.things[thing].name) || self.has_window_sink(name);
         // Beside a sink under a window nothing tall stands.
         let name = if is_under_window && name == SINK { WINDOW_SINK } else { name };
+        let is_narrow = self.draft.things[thing].size.is_some_and(|size| size[0].max(size[2]) < FOR_FOUR);
+        let name = if is_narrow && name == RESTAURANT_TABLE { SMALL_RESTAURANT_TABLE } else { name };
         tops::load(self, thing);
         let mut taken: Vec<Taken> = self.loads.iter().filter(|(of, _)| *of == thing).map(|(_, taken)| *taken).collect();
         for part in groups::of(name, self.kind.dress) {
@@ -356,7 +369,9 @@ impl<'a> Plan<'a> {
         // A table with fewer seats than there are people wants a larger room.
         let seats_them = seats_all(self.kind, &category.replace('_', " "));
         let people = self.people.filter(|_| seats_them).map_or(0, |n| n.div_ceil(anchors));
-        if let (Where::Around(n, _) | Where::LongSides(n, _), Some(group)) = (&at, &mut self.building) {
+        if let (Where::Around(n, _) | Where::LongSides(n, _) | Where::Outside(n, _), Some(group)) =
+            (&at, &mut self.building)
+        {
             group.is_crowded |= *n < people;
         }
         let shelf = boards(&category, of[1], of[0]);
@@ -432,6 +447,8 @@ impl<'a> Plan<'a> {
                 let sides = if round { of } else { [of[0].max(of[2]), of[1], 0.0] };
                 *n = each.min(capacity(sides, own, round));
             }
+            // It is as large as they need.
+            (Where::Outside(n, _), Some(each)) => *n = each,
             // At one side of it, unless as many stand there as there is room for.
             (Where::Row(n, _), Some(each)) if *n > 0 => *n = each.clamp(1, in_row(of[0], own[0])),
             _ => {}
@@ -542,7 +559,9 @@ pub(super) fn why(of: &str, noun: &str, at: &Where) -> String {
     match at {
         Where::Top(..) => format!("{} needs {} on it", a(of), a(noun)),
         Where::Board(..) => format!("{} holds things", a(of)),
-        Where::Around(..) | Where::LongSides(..) | Where::Row(..) => format!("people sit at {}", a(of)),
+        Where::Around(..) | Where::LongSides(..) | Where::Outside(..) | Where::Row(..) => {
+            format!("people sit at {}", a(of))
+        }
         Where::Under(..) => format!("{} lies under {}", a(noun), a(of)),
         Where::Over => format!("{} lights {}", a(noun), a(of)),
         Where::Above(..) => format!("{} is hung above {}", a(noun), a(of)),

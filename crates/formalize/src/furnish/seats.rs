@@ -1,7 +1,7 @@
 //! For how many people a room is in which seats are asked for: "a meeting room with ten chairs".
 
 use super::claim::{line, sit_at};
-use super::groups::{self, Where};
+use super::groups;
 use super::kinds;
 use super::stand::counts_as;
 use crate::brief::{Brief, Group};
@@ -38,5 +38,5 @@ pub fn people(brief: &mut Brief) {
 /// Whether people sit around a thing of this name.
 fn sits_around(noun: &str, dress: &str) -> bool {
     let parts = groups::of(noun, dress);
-    parts.iter().any(|part| matches!(part.at, Where::Around(..) | Where::LongSides(..)))
+    parts.iter().any(|part| part.at.is_around())
 }

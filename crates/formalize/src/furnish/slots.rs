@@ -111,6 +111,7 @@ pub fn slots(at: &Where, sizes: &Sizes, shelf: &[f64]) -> Vec<Slot> {
         Where::Around(n, gap) | Where::LongSides(n, gap) if sizes.round => circle(n, gap, sizes),
         Where::Around(n, gap) => around(n, gap, sizes, true),
         Where::LongSides(n, gap) => around(n, gap, sizes, false),
+        Where::Outside(n, gap) => outside(n, gap, sizes),
         Where::Under(_, _, z) => vec![slot(0.0, z, Level::Floor, 0.0)],
         Where::Over => {
             // One light for each so much of a long table, but a chandelier alone.
@@ -289,6 +290,33 @@ fn around(n: usize, gap: f64, sizes: &Sizes, ends: bool) -> Vec<Slot> {
     out
 }
 
+/// How many of so many people sit at the closed side of a table like a U: about a third, so that as many sit at both arms.
+fn at_closed_side(n: usize) -> usize {
+    let third = (0.3 * n as f64).round() as usize;
+    (third + (n - third) % 2).clamp(n.min(2), n)
+}
+
+/// The width and depth of a table like a U with seats of a width for so many people at its outer sides (metres).
+pub fn horseshoe(n: usize, seat: f64) -> [f64; 2] {
+    let closed = at_closed_side(n);
+    [row(closed, seat).max(2.4), row((n - closed).div_ceil(2), seat).max(1.8)]
+}
+
+/// Seats at the outer sides of a table like a U, which is open at its front.
+fn outside(n: usize, gap: f64, sizes: &Sizes) -> Vec<Slot> {
+    let ([width, _, depth], [.., d]) = (sizes.of, sizes.own);
+    let closed = at_closed_side(n);
+    let along = |length: f64, i: usize, n: usize| length * ((i as f64 + 0.5) / n as f64 - 0.5);
+    let seat = |x: f64, z: f64, yaw: f64| Slot { x, z, level: Level::Floor, yaw };
+    let off = gap + d / 2.0;
+    let mut out: Vec<Slot> = (0..closed).map(|i| seat(along(width, i, closed), -depth / 2.0 - off, 0.0)).collect();
+    for (sign, n) in [(-1.0, (n - closed).div_ceil(2)), (1.0, (n - closed) / 2)] {
+        let yaw = if sign < 0.0 { 90.0 } else { 270.0 };
+        out.extend((0..n).map(|i| seat(sign * (width / 2.0 + off), along(depth, i, n), yaw)));
+    }
+    out
+}
+
 /// Shelves that the furniture library draws as racks or as gondolas, with goods in them: nothing else finds room there.
 const STOCKED: [&str; 17] = [
     "display",
@@ -329,6 +357,22 @@ pub fn boards(noun: &str, height: f64, width: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn seats_of_a_horseshoe_look_into_it_and_have_room() {
+        for n in 4..30 {
+            let [w, d] = horseshoe(n, 0.46);
+            let sizes = Sizes { of: [w, 0.75, d], own: [0.46, 0.9, 0.5], round: false };
+            let seats = outside(n, 0.03, &sizes);
+            assert_eq!(seats.len(), n);
+            for (i, slot) in seats.iter().enumerate() {
+                let front = [slot.yaw.to_radians().sin(), slot.yaw.to_radians().cos()];
+                assert!(front[0] * slot.x + front[1] * slot.z < -0.3, "{n} {slot:?}");
+                let taken = Taken::by(slot, sizes.own);
+                assert!(!seats[..i].iter().any(|other| taken.meets(&Taken::by(other, sizes.own))), "{n} {slot:?}");
+            }
+        }
+    }
 
     #[test]
     fn seats_look_at_their_table_from_all_sides() {

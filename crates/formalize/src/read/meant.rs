@@ -106,6 +106,41 @@ pub(super) fn with_children(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A U-shaped conference table", "tables in a U": a table like a U.
+pub(super) fn horseshoe_table(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let is_table = |at: usize| matches!(word(tokens, at), "table" | "tables");
+    let numbered = i > 0 && number::count(&tokens[i - 1..i]).is_some_and(|(n, _)| n > 1.0);
+    let end = match word(tokens, i) {
+        "u-shaped" | "horseshoe" | "horseshoe-shaped" => (i + 1..i + 3).find(|at| is_table(*at)).map(|at| at + 1),
+        "table" | "tables" => {
+            let at = i + 1 + usize::from(matches!(word(tokens, i + 1), "arranged" | "set" | "placed"));
+            match [word(tokens, at), word(tokens, at + 1), word(tokens, at + 2), word(tokens, at + 3)] {
+                ["in", "a", "u", "shape" | "form"] => Some(at + 4),
+                ["in", "a", "u" | "u-shape" | "horseshoe", _] => Some(at + 3),
+                ["in", "u", "shape" | "form", _] => Some(at + 3),
+                ["in", "u-shape", _, _] => Some(at + 2),
+                _ => None,
+            }
+        }
+        _ => None,
+    };
+    let Some(end) = end.filter(|_| !numbered) else { return false };
+    let has_article = i > 0 && matches!(word(tokens, i - 1), "a" | "an" | "one" | "the");
+    put(tokens, i, end, if has_article { &["horseshoe", "table"] } else { &["a", "horseshoe", "table"] });
+    true
+}
+
+/// "Barrels as tables": barrels that one stands or sits at.
+pub(super) fn barrel_tables(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let end = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2), word(tokens, i + 3)] {
+        ["barrels", "as", "tables", _] => i + 3,
+        ["barrels", "used" | "serving", "as", "tables"] => i + 4,
+        _ => return false,
+    };
+    put(tokens, i, end, &["barrel", "tables"]);
+    true
+}
+
 /// "Tables for groups of four" are group tables.
 pub(super) fn group_tables(tokens: &mut Vec<Token>, i: usize) -> bool {
     let groups =

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 44] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 46] = [
             apart,
             together,
             each_other,
@@ -32,6 +32,8 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::nurse_station,
             meant::with_children,
             meant::group_tables,
+            meant::horseshoe_table,
+            meant::barrel_tables,
             meant::vehicles,
             meant::audience,
             meant::window_counter,

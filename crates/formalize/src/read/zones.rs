@@ -77,6 +77,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
     }
     let mut i = 0;
     while i < tokens.len() {
+        two_groups(tokens, i);
         // "I want a reading nook": that is the room.
         if let Some((zone, end)) = named(tokens, i)
             && let Some(from) = begin(tokens, i)
@@ -87,6 +88,18 @@ pub fn plain(tokens: &mut Vec<Token>) {
             replace(tokens, zone, kind, from, end);
         }
         i += 1;
+    }
+}
+
+/// "Two seating areas": a sofa with what goes with it, and a smaller one.
+fn two_groups(tokens: &mut Vec<Token>, i: usize) {
+    const SEATS: [&str; 6] = ["seating", "sitting", "lounge", "lounging", "conversation", "sofa"];
+    const PLACES: [&str; 5] = ["areas", "groups", "corners", "zones", "spaces"];
+    let is = |at: usize, any: &[&str]| tokens.get(at).is_some_and(|t| any.iter().any(|word| t.is(word)));
+    let end = i + 2 + usize::from(is(i + 1, &PLAIN));
+    let listed = i > 0 && is(i - 1, &LISTS) || i > 0 && matches!(tokens[i - 1].kind, token::WordKind::Sign(','));
+    if listed && is(i, &["two"]) && is(end - 1, &SEATS) && is(end, &PLACES) {
+        put(tokens, i, end + 1, &["a", "sofa", "and", "a", "loveseat"]);
     }
 }
 
@@ -181,6 +194,8 @@ mod tests {
             ("a bedroom with a desk and a play area", "a bedroom with a desk and a play mat and a toy box"),
             ("a pizzeria with an open kitchen", "a pizzeria with a kitchen counter"),
             ("a living room with a workspace", "a living room with a desk"),
+            ("a hotel lobby with two seating areas", "a hotel lobby with a sofa and a loveseat"),
+            ("a lounge with two separate seating groups and a bar", "a lounge with a sofa and a loveseat and a bar"),
             // What such rooms have anyway.
             ("a bookshop with a reading corner", "a bookshop with a reading chair"),
             ("a bakery with a seating area", "a bakery with cafe tables"),

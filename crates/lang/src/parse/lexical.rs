@@ -263,7 +263,8 @@ fn unknown(slice: &str, range: TextRange, number: Option<Token>) -> Diagnostic<T
         '{' if place.start == 0 => {
             diagnostic.note("the language has no blocks; if this is a layout, pass its program, a `.scene` file")
         }
-        '{' | '}' => diagnostic.note("the language has no blocks; a statement ends with `;`"),
+        '{' | '}' => diagnostic
+            .note("the language has no blocks: a statement ends with `;`, and a condition is written `A implies B`"),
         '#' => diagnostic.note("a comment begins with `//`"),
         c if c.is_ascii() => diagnostic,
         _ => diagnostic.note("a name consists of letters, digits and `_`"),

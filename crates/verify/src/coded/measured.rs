@@ -22,7 +22,18 @@ pub(super) enum Measured {
     Depth(Arc<Polygon>),
 }
 
+/// So many pairs of parts are looked at in the time of a step: most are too far apart to matter.
+const PAIRS: usize = 4;
+
 impl Measured {
+    /// How many steps it takes beside its own.
+    pub(super) fn steps(&self) -> usize {
+        match self {
+            Self::Gap([a, b]) => a.len() * b.len() / PAIRS,
+            Self::Clearance(..) | Self::Depth(_) => 0,
+        }
+    }
+
     /// Its value, from the numbers it asks for.
     pub fn of(&self, input: impl Fn(usize) -> f64) -> f64 {
         match self {
@@ -45,7 +56,7 @@ impl Measured {
     }
 }
 
-/// A part of a thing as an upright box in the thing's frame, the middle of its box the origin (metres).
+/// A part of a thing as an upright box or cylinder in the thing's frame, the middle of its box the origin (metres).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Block {
     /// Its middle.
@@ -54,13 +65,39 @@ pub struct Block {
     pub half: [f64; 3],
     /// Of the circle around it, seen from above.
     radius: f64,
+    /// Whether it is that circle.
+    is_round: bool,
 }
 
 impl Block {
     /// One with this middle and half these extents.
     pub fn new(at: [f64; 3], half: [f64; 3]) -> Self {
-        Self { at, half, radius: half[0].hypot(half[2]) }
+        Self { at, half, radius: half[0].hypot(half[2]), is_round: false }
     }
+
+    /// The box or, if it is round, the cylinder around a part: it is never less than the part.
+    fn around(part: &Convex, middle: Vec3) -> Self {
+        let (min, max) = (part.aabb().min, part.aabb().max);
+        let (at, half) = ((min + max) / 2.0, (max - min) / 2.0);
+        let block = Self::new((at - middle).into(), half.into());
+        let from_axis = |v: &Vec3| (v.x - at.x).hypot(v.z - at.z);
+        let radii = part.vertices().iter().map(from_axis);
+        let (least, most) = radii.fold((f64::INFINITY, 0.0_f64), |(low, high), r| (low.min(r), high.max(r)));
+        let is_round = part.vertices().len() >= 2 * ROUND && most - least < 1e-6;
+        if is_round { Self { radius: most, is_round, ..block } } else { block }
+    }
+
+    /// How far it is from another one on the floor, each given with what it covers there: their distance or, negative, a shift
+    /// that would part them. If that is no less than `most`, anything from there on.
+    fn aside(&self, here: &Flat, other: &Self, there: &Flat, most: f64) -> f64 {
+        match (self.is_round, other.is_round) {
+            (false, false) => here.gap_below(there, most),
+            (true, true) => (here.at[0] - there.at[0]).hypot(here.at[1] - there.at[1]) - self.radius - other.radius,
+            (true, false) => there.signed_distance(here.at) - self.radius,
+            (false, true) => here.signed_distance(there.at) - other.radius,
+        }
+    }
+
     /// What it covers of the floor where the thing stands, whose rectangle is given.
     pub fn flat(&self, thing: &Flat) -> Flat {
         let [x, _, z] = self.at;
@@ -68,17 +105,15 @@ impl Block {
     }
 }
 
-/// What a body is made of, each part as the box around it: it is never less than the part. A body without parts is one
-/// block.
+/// What is round has at least so many corners, at its bottom and at its top.
+const ROUND: usize = 12;
+
+/// What a body is made of, each part as what is around it. A body without parts is one block.
 pub fn blocks(body: &Body) -> Arc<[Block]> {
     let half = body.obb.half;
     let Some(parts) = body.parts() else { return [Block::new([0.0; 3], half.into())].into() };
-    let block = |part: &Convex| {
-        let (min, max) = (part.aabb().min, part.aabb().max);
-        let middle = (min + max) / 2.0;
-        Block::new([middle.x, middle.y - half.y, middle.z], ((max - min) / 2.0).into())
-    };
-    parts.iter().map(block).collect()
+    let middle = Vec3::new(0.0, half.y, 0.0);
+    parts.iter().map(|part| Block::around(part, middle)).collect()
 }
 
 /// A body that leans by these turns about x and z (degrees): the box around it from the middle of its bottom face, least and
@@ -112,16 +147,16 @@ pub fn leaning(body: &Body, [x, z]: [f64; 2]) -> ([[f64; 3]; 2], Arc<[Block]>) {
 /// between two blocks is made of how far they are apart upright and aside.
 pub fn gap(things: [(&[Block], &Flat, f64); 2], between: impl Fn(f64, f64) -> f64) -> f64 {
     let [(one, here, low), (other, there, high)] = things;
+    let others: Vec<Flat> = other.iter().map(|b| b.flat(there)).collect();
     let mut least = f64::INFINITY;
     for a in one {
         let flat = a.flat(here);
-        for b in other {
+        for (b, other) in other.iter().zip(&others) {
             let upright = (low + a.at[1] - high - b.at[1]).abs() - a.half[1] - b.half[1];
-            let other = b.flat(there);
             // Between the circles around them there is no more than between them.
             let (dx, dz, reach) = (flat.at[0] - other.at[0], flat.at[1] - other.at[1], least + a.radius + b.radius);
             if upright < least && (dx * dx + dz * dz < reach * reach || least <= 0.0) {
-                least = least.min(between(upright, flat.gap(&other)));
+                least = least.min(between(upright, a.aside(&flat, b, other, least)));
             }
         }
     }
@@ -161,6 +196,13 @@ impl Flat {
         (u * u + v * v).sqrt()
     }
 
+    /// The same of a point within it as well: then it is negative, how far the nearest side is.
+    fn signed_distance(&self, p: [f64; 2]) -> f64 {
+        let [u, v] = self.local(p);
+        let (u, v) = (u.abs() - self.half[0], v.abs() - self.half[1]);
+        if u > 0.0 && v > 0.0 { u.hypot(v) } else { u.max(v) }
+    }
+
     /// The point so far from it that is nearest to one outside.
     pub fn away(&self, p: [f64; 2], far: f64) -> [f64; 2] {
         let [u, v] = self.local(p);
@@ -172,6 +214,11 @@ impl Flat {
 
     /// Between two: their distance or, negative, the least shift that would part them (metres).
     pub fn gap(&self, other: &Self) -> f64 {
+        self.gap_below(other, f64::INFINITY)
+    }
+
+    /// The same if it is less than `most`, otherwise anything from `most` to the gap.
+    fn gap_below(&self, other: &Self, most: f64) -> f64 {
         let [sin, cos] = [self.turn[0] * other.turn[1] - self.turn[1] * other.turn[0], self.dot(other)].map(f64::abs);
         let seen = |from: &Self, to: &Self| {
             let [u, v] = from.local(to.at);
@@ -180,7 +227,7 @@ impl Flat {
         };
         let ([a, b], [c, d]) = (seen(self, other), seen(other, self));
         let apart = a.max(b).max(c).max(d);
-        if apart <= 0.0 {
+        if apart <= 0.0 || apart >= most {
             return apart;
         }
         if sin == 0.0 || cos == 0.0 {
@@ -274,6 +321,19 @@ mod tests {
             let exact = scenelang_layout::obb::separation(&as_box(&a), &as_box(&b)).gap;
             let gap = a.gap(&b).max(-1.0);
             prop_assert!((gap - exact).abs() < 1e-9, "{gap} {exact}");
+        }
+
+        /// The rim of a round thing at many points, against what is said of it.
+        #[test]
+        fn round_things_are_as_far_as_their_rims(a in flat(), b in flat(), r in 0.05..1.5) {
+            let round = Block { radius: r, is_round: true, ..Block::new([0.0; 3], [r, 1.0, r]) };
+            let boxed = Block::new([0.0; 3], [b.half[0], 1.0, b.half[1]]);
+            let rim = (0..720).map(|k| (f64::from(k) / 2.0).to_radians());
+            let nearest = rim.map(|k| b.distance([a.at[0] + r * k.sin(), a.at[1] + r * k.cos()])).fold(f64::INFINITY, f64::min);
+            let gap = round.aside(&a, &boxed, &b, f64::INFINITY);
+            prop_assert_eq!(gap, boxed.aside(&b, &round, &a, f64::INFINITY));
+            let overlap = b.distance(a.at) < r;
+            prop_assert!(if overlap { gap < 0.0 } else { (gap - nearest).abs() < 0.01 }, "{} {}", gap, nearest);
         }
 
         #[test]

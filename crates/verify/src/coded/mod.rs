@@ -157,9 +157,9 @@ impl Coded {
     pub fn run(&self, slots: &mut Slots) {
         self.code.run(slots);
     }
-    /// How many steps it takes.
+    /// How many steps it takes. A gap takes more the more parts there are.
     pub fn steps(&self) -> usize {
-        self.code.steps.len()
+        self.code.steps.len() + self.code.measured.iter().map(|(what, _)| what.steps()).sum::<usize>()
     }
     /// A truth that is not made of others, as of the last run.
     pub fn truth(&self, node: NodeId, slots: &Slots) -> Option<Truth<f64>> {

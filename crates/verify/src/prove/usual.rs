@@ -138,6 +138,7 @@ const OTHER: &[&str] = &[
     "towel",
     "book",
     "horse",
+    "horseshoe",
     "rail",
     "cubby",
     "cubbies",

@@ -186,6 +186,9 @@ pub enum RowKind {
 }
 
 impl RowKind {
+    pub const ALL: [Self; 7] =
+        [Self::Assert, Self::Prefer, Self::Pin, Self::Collision, Self::Bounds, Self::Support, Self::Open];
+
     /// As written in the report.
     pub fn as_str(self) -> &'static str {
         match self {

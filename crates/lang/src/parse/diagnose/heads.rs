@@ -37,8 +37,6 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("check", "assert"),
     ("must", "assert"),
     ("soft", "prefer"),
-    ("minimize", "prefer"),
-    ("maximize", "prefer"),
     ("room", "region"),
     ("area", "region"),
     ("zone", "region"),
@@ -58,8 +56,20 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("quaternion", "Rotation"),
 ];
 
+/// Statements that the language does not have, and what is written instead.
+const FOREIGN: &[(&str, &str)] = &[
+    ("minimize", "nothing is minimized; a preference says what should hold, as in `prefer near(lamp, bed, 0.5);`"),
+    ("maximize", "nothing is maximized; a preference says what should hold, as in `prefer distance(bed, tv) > 2;`"),
+    ("if", "a condition is part of what it is asserted for, as in `assert near(a, b, 1) implies facing(a, b);`"),
+    ("for", "what holds for each object of a set is written `assert forall c in chair: near(c, table, 1);`"),
+    ("foreach", "what holds for each object of a set is written `assert forall c in chair: near(c, table, 1);`"),
+];
+
 /// The word for a statement that a misspelt one is near to.
 pub fn nearest_statement(word: &str) -> Option<&'static str> {
+    if FOREIGN.iter().any(|(other, _)| other.eq_ignore_ascii_case(word)) {
+        return None;
+    }
     let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
     synonym.or_else(|| nearest(word, STATEMENTS.iter().map(|(s, _)| *s)))
 }
@@ -222,6 +232,11 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
                 _ => diagnostic.label(format!("did you mean `{near}`?")),
             };
             Some(diagnostic.fix(applicability, format!("write `{near}`"), head, near))
+        }
+        None if let Some((_, instead)) =
+            FOREIGN.iter().find(|(other, _)| other.eq_ignore_ascii_case(site.slice(site.head))) =>
+        {
+            Some(diagnostic.note(*instead))
         }
         None if is_word(after) || next == Kind::Str => Some(diagnostic.note(
             "a statement declares (`object`, `region`, `Number`, …), assigns (`lamp.color <- …`), \

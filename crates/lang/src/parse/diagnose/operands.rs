@@ -134,6 +134,11 @@ pub fn missing(site: &Site<'_>) -> Option<Finding> {
             let diagnostic = Diagnostic::new(E0112, site.range(before), format!("{what} is missing after {after}"));
             Some(diagnostic.label(format!("expected {what} before {}", site.name_of(site.at))))
         }
+        // A list, as other languages write a vector.
+        Some(Kind::LBracket) if site.kind(site.at + 1) == Some(Kind::Number) => {
+            let diagnostic = Diagnostic::new(E0112, site.range(site.at), "a list in brackets is not a value");
+            Some(diagnostic.note("a vector is written `vec3(x, y, z)`"))
+        }
         Some(_) => {
             let message = format!("{what} is missing between {after} and {}", site.quoted(site.at));
             Some(Diagnostic::new(E0112, site.range(site.at), message))
