@@ -189,7 +189,7 @@ check("the room is solved anew and exported; the server starts again when told t
   await command("notifications.clearAll");
   await begin("scenelang.exportScene");
   const plan = await until("the formats", async () => {
-    for (const row of await e.page.$$(".quick-input-list .monaco-list-row")) if (/^plan/.test(await row.textContent())) return row;
+    for (const row of await e.page.$$(".quick-input-list .monaco-list-row")) if (/^plan/.test(await row.evaluate((e) => e.textContent))) return row;
   });
   await plan.click();
   await e.page.keyboard.press("Enter");
@@ -200,7 +200,7 @@ check("the room is solved anew and exported; the server starts again when told t
   assert.ok(readdirSync(written).some((name) => name.endsWith(".glb")), readdirSync(written).join());
   // What was written is opened from where it is said.
   const button = await until("a button", async () => {
-    for (const found of await e.page.$$(".notifications-center .notification-list-item .monaco-button")) if (/Open…/.test(await found.textContent())) return found;
+    for (const found of await e.page.$$(".notifications-center .notification-list-item .monaco-button")) if (/Open…/.test(await found.evaluate((e) => e.textContent))) return found;
   });
   await button.click();
   await until("the results", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^GLB/.test(row)));
@@ -208,6 +208,7 @@ check("the room is solved anew and exported; the server starts again when told t
   await e.page.keyboard.press("Enter");
   await until("the plan", () => e.api("return vscode.window.tabGroups.activeTabGroup.activeTab?.label === 'plan.png'"));
   await shoot("exported");
+  await show(0);
   await command("notifications.clearAll");
   await command("scenelang.restartServer");
   const [holds, total] = await until("a count", counted);

@@ -109,7 +109,8 @@ impl Thing<'_> {
             (_, "carpet" | "door" | "window" | "curtain") => false,
             ("window", role) => self.top() - owner.bottom() > 0.1 && self.bottom() < owner.top() && role != "light",
             ("seat", role) => {
-                stands && !low && !self.is_table() && !(role == "seat" && self.top() - owner.bottom() < STOOL)
+                let stool = role == "seat" && self.top() - owner.bottom() < STOOL;
+                stands && !(low || stool || self.is_table())
             }
             ("desk" | "bed" | "storage", "seat") => false,
             _ => stands && !low,
