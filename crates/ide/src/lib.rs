@@ -23,6 +23,7 @@ pub mod navigate;
 pub mod rename;
 pub mod shape;
 pub mod signature;
+pub mod spoken;
 pub mod symbols;
 pub mod tokens;
 

@@ -16,7 +16,7 @@ use tower_lsp::jsonrpc::Id;
 use tower_lsp::ls_types::Uri;
 
 /// All commands of the server.
-pub const ALL: [&str; 7] = [
+pub const ALL: [&str; 8] = [
     "scenelang.check",
     "scenelang.solve",
     "scenelang.solveAnew",
@@ -24,14 +24,14 @@ pub const ALL: [&str; 7] = [
     "scenelang.place",
     "scenelang.repairAll",
     "scenelang.repair",
+    "scenelang.view",
 ];
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct Execute {
     command: String,
-    #[serde(default)]
-    arguments: Vec<Value>,
+    arguments: Option<Vec<Value>>,
     work_done_token: Option<Value>,
 }
 
@@ -55,10 +55,13 @@ impl State {
     /// # Errors
     /// There is no such command, or it is not told what to do.
     pub fn execute(&mut self, id: &Id, given: Value) -> Result<(), Fault> {
-        let Execute { command, mut arguments, work_done_token: token } = params(given)?;
-        let first = if arguments.is_empty() { Value::Null } else { arguments.swap_remove(0) };
+        let Execute { command, arguments, work_done_token: token } = params(given)?;
+        let first = arguments.unwrap_or_default().into_iter().next().unwrap_or_default();
         if !ALL.contains(&command.as_str()) {
             return Err(Fault::Invalid(format!("there is no command `{command}`")));
+        }
+        if command == "scenelang.view" {
+            return self.view(id, first);
         }
         let Argument { uri, seed, line, object, lock, only } = params(first)?;
         let uri = uri.as_str();

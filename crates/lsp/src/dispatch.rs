@@ -11,13 +11,14 @@ use scenelang_analysis::FileSettings;
 use scenelang_base::{FileId, TextRange};
 use scenelang_export::scene::Memory;
 use scenelang_ide::{Cancelled, Snapshot};
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id};
-use tower_lsp::ls_types::{Position, Range, Uri};
+use tower_lsp::ls_types::{CompletionItem, InlayHint, Position, Range, Uri};
 
 /// The numbers of semantic tokens, by the number of the answer that they were in.
 pub type Tokens = Arc<Mutex<Option<(String, Vec<u32>)>>>;
@@ -121,6 +122,14 @@ impl From<Cancelled> for Fault {
     }
 }
 
+/// An answer as it is sent.
+///
+/// # Errors
+/// A mistake of ours.
+pub fn sent(answer: impl Serialize) -> Result<Value, Fault> {
+    serde_json::to_value(answer).map_err(|_| Fault::Internal)
+}
+
 /// Reads parameters.
 ///
 /// # Errors
@@ -175,7 +184,8 @@ impl State {
             "scenelang/move" => self.move_object(id, given),
             "scenelang/provisional" => self.provisional(id, given),
             "completionItem/resolve" => {
-                self.ask_pool(id, move || Ok(writing::resolve_completion(given)));
+                let item: CompletionItem = params(given)?;
+                self.ask_pool(id, move || sent(writing::resolve_completion(item)));
                 Ok(())
             }
             "workspace/diagnostic" => {
@@ -198,7 +208,7 @@ impl State {
             "workspace/symbol" => {
                 let query = given["query"].as_str().unwrap_or_default().to_owned();
                 let (roots, files, encoding) = (Arc::clone(&self.roots), self.documents.files(), self.client.encoding);
-                self.ask_pool(id, move || Ok(navigation::workspace_symbols(&roots, &files, encoding, &query)));
+                self.ask_pool(id, move || sent(navigation::workspace_symbols(&roots, &files, encoding, &query)));
                 Ok(())
             }
             _ => Err(Fault::Unknown(method.to_owned())),
@@ -213,58 +223,59 @@ impl State {
             return self.document(id, given, features::looks::links);
         };
         let (encoding, files) = (self.client.encoding, self.documents.files());
-        self.ask_pool(id, move || Ok(features::looks::layout_links(&path, &text, encoding, &files)));
+        self.ask_pool(id, move || sent(features::looks::layout_links(&path, &text, encoding, &files)));
         Ok(())
     }
 
     /// `inlayHint/resolve`: what there is to say of it, for who points at it.
     fn resolve_hint(&mut self, id: &Id, hint: Value) -> Result<(), Fault> {
         let about: features::looks::About = params(hint["data"].clone())?;
+        let hint: InlayHint = params(hint)?;
         let uri = about.uri.as_str().to_owned();
         self.ask_reader(
             id,
             &uri,
-            Arc::new(move |context| features::looks::resolved_hint(context, hint.clone(), &about)),
+            Arc::new(move |context| sent(features::looks::resolved_hint(context, hint.clone(), &about)?)),
         );
         Ok(())
     }
 
     /// A question that is none of the protocol.
-    fn custom<P: DeserializeOwned + Send + Sync + 'static>(
+    fn custom<P: DeserializeOwned + Send + Sync + 'static, R: Serialize + 'static>(
         &mut self,
         id: &Id,
         given: Value,
-        handler: fn(&Context, &P) -> Result<Value, Fault>,
+        handler: fn(&Context, &P) -> Result<R, Fault>,
     ) -> Result<(), Fault> {
         let uri = given["uri"].as_str().unwrap_or_default().to_owned();
         let given: P = params(given)?;
-        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        self.ask_reader(id, &uri, Arc::new(move |context| sent(handler(context, &given)?)));
         Ok(())
     }
 
     /// A question about an item that the client was given before.
-    fn item<P: DeserializeOwned + Send + Sync + 'static>(
+    fn item<P: DeserializeOwned + Send + Sync + 'static, R: Serialize + 'static>(
         &mut self,
         id: &Id,
         given: Value,
-        handler: fn(&Context, &P) -> Result<Value, Fault>,
+        handler: fn(&Context, &P) -> Result<R, Fault>,
     ) -> Result<(), Fault> {
         let uri = given["item"]["uri"].as_str().unwrap_or_default().to_owned();
         let given: P = params(given)?;
-        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        self.ask_reader(id, &uri, Arc::new(move |context| sent(handler(context, &given)?)));
         Ok(())
     }
 
     /// A question about a document.
-    fn document<P: DeserializeOwned + Send + Sync + 'static>(
+    fn document<P: DeserializeOwned + Send + Sync + 'static, R: Serialize + 'static>(
         &mut self,
         id: &Id,
         given: Value,
-        handler: fn(&Context, &P) -> Result<Value, Fault>,
+        handler: fn(&Context, &P) -> Result<R, Fault>,
     ) -> Result<(), Fault> {
         let uri = given["textDocument"]["uri"].as_str().unwrap_or_default().to_owned();
         let given: P = params(given)?;
-        self.ask_reader(id, &uri, Arc::new(move |context| handler(context, &given)));
+        self.ask_reader(id, &uri, Arc::new(move |context| sent(handler(context, &given)?)));
         Ok(())
     }
 }

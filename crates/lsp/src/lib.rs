@@ -8,6 +8,7 @@
 
 mod advised;
 mod alternatives;
+mod beside;
 mod capabilities;
 mod client;
 mod commands;
@@ -39,6 +40,7 @@ mod text;
 mod trace;
 mod wire;
 
+pub use beside::{Beside, Show};
 pub use client::Named;
 pub use model::{Connect, ModelQuestion};
 pub use record::{Recorder, replay};

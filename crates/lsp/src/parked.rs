@@ -19,6 +19,7 @@ const EVERY: Duration = Duration::from_millis(700);
 impl State {
     /// Begins with an answer, as soon as the files are read of all programs that are asked about.
     pub fn ask(&mut self, id: Id, method: String, params: Value) {
+        self.follow(&method, &params);
         let mut spoken = Vec::new();
         texts(&params, &mut spoken);
         for uri in &spoken {

@@ -1,6 +1,7 @@
 //! The one owner of all state: takes messages in the order in which they came, hands questions to readers with a snapshot,
 //! and publishes what they find only as long as it is about the newest text.
 
+use crate::beside::{Beside, Show};
 use crate::client::Client;
 use crate::config::Config;
 use crate::dispatch::{Context, Fault};
@@ -41,6 +42,8 @@ pub struct Setup {
     pub record: Option<Recorder>,
     /// Reaches the language model that the settings of a workspace name.
     pub connect: Option<Connect>,
+    /// Shows a room in a browser.
+    pub show: Option<Show>,
 }
 
 /// What happens to the state.
@@ -120,6 +123,12 @@ pub struct State {
     pub drags: HashMap<String, Drag>,
     /// Layouts that were found for programs without one, by document.
     pub rooms: HashMap<String, Arc<Layout>>,
+    /// Shows a room in a browser.
+    pub show: Option<Show>,
+    /// Rooms that are shown in a browser, by document.
+    pub beside: HashMap<String, Beside>,
+    /// The document that was asked about last.
+    pub cursor: Option<String>,
     /// Reaches a language model.
     pub connect: Option<Connect>,
     /// What language models have cost since the server was started: one budget for all that is asked of them.
@@ -159,6 +168,9 @@ impl State {
             tokens: HashMap::new(),
             drags: HashMap::new(),
             rooms: HashMap::new(),
+            show: setup.show,
+            beside: HashMap::new(),
+            cursor: None,
             connect: setup.connect,
             account: Account::default(),
             waiting: Vec::new(),

@@ -1,12 +1,14 @@
 // The commands of the palette. Judging, solving and repairing are the server's, which knows what is in the editor but not yet on
 // disk; building and exporting files is the command line's.
 
+import { existsSync, readdirSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import * as vscode from "vscode";
 import { showAlternatives } from "./alternatives.js";
 import { speaksOf } from "./groups.js";
 import type { Locks } from "./locks.js";
 import type { Alternative, Done } from "./protocol.js";
+import { type Result, results } from "./results.js";
 import { run } from "./run.js";
 import { LANGUAGE, type Scenes } from "./scenes.js";
 import { type Server, isCancelled, reason, say } from "./server.js";
@@ -115,10 +117,24 @@ export class Commands {
     this.server.output.info(`${program} ${args.join(" ")}\n${ended.stdout}${ended.stderr}`);
     const good = ended.code === 0;
     const message = good ? `Written to ${folder}` : ended.code === 1 ? `Written to ${folder}, but not all constraints hold` : `It could not be done: ${lastLine(ended.stderr)}`;
-    const buttons = ended.code === 0 || ended.code === 1 ? ["Reveal", "Show Output"] : ["Show Output"];
+    const written = ended.code === 0 || ended.code === 1;
+    const found = written && existsSync(folder) ? results(readdirSync(folder)) : [];
+    const buttons = [...(found.length > 0 ? ["Open…"] : []), ...(written ? ["Reveal"] : []), "Show Output"];
     const pressed = await (good ? vscode.window.showInformationMessage : vscode.window.showWarningMessage)(message, ...buttons);
+    if (pressed === "Open…") await this.open(folder, found);
     if (pressed === "Reveal") await vscode.commands.executeCommand("revealFileInOS", vscode.Uri.file(folder));
     if (pressed === "Show Output") this.server.output.show();
+  }
+
+  /** Opens one of several results. */
+  private async open(folder: string, found: readonly Result[]): Promise<void> {
+    const items = found.map((result) => ({ label: result.label, description: result.file, result }));
+    const chosen = await vscode.window.showQuickPick(items, { placeHolder: "Open what?" });
+    if (chosen === undefined) return;
+    const file = vscode.Uri.file(join(folder, chosen.result.file));
+    if (chosen.result.where === "editor") await vscode.commands.executeCommand("vscode.open", file);
+    else if (chosen.result.where === "outside") await vscode.env.openExternal(file);
+    else await vscode.commands.executeCommand("revealFileInOS", file);
   }
 
   /** The program on disk, as the command line will read it. */

@@ -188,13 +188,27 @@ check("the room is solved anew and exported; the server starts again when told t
   await until("what it said", async () => (await notices()).some((notice) => /solved: /.test(notice)), 60_000);
   await command("notifications.clearAll");
   await begin("scenelang.exportScene");
-  await until("the formats", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^plan/.test(row)));
+  const plan = await until("the formats", async () => {
+    for (const row of await e.page.$$(".quick-input-list .monaco-list-row")) if (/^plan/.test(await row.evaluate((e) => e.textContent))) return row;
+  });
+  await plan.click();
   await e.page.keyboard.press("Enter");
   await until("where to", async () => (await texts(".quick-input-list .monaco-list-row")).length === 2);
   await e.page.keyboard.press("Enter");
   await until("that it is written", async () => (await notices()).some((notice) => notice.includes("Written to")), 60_000);
   const written = e.path(`out/${ROOM}`);
   assert.ok(readdirSync(written).some((name) => name.endsWith(".glb")), readdirSync(written).join());
+  // What was written is opened from where it is said.
+  const button = await until("a button", async () => {
+    for (const found of await e.page.$$(".notifications-center .notification-list-item .monaco-button")) if (/Open…/.test(await found.evaluate((e) => e.textContent))) return found;
+  });
+  await button.click();
+  await until("the results", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => /^GLB/.test(row)));
+  await e.page.keyboard.type("Floor Plan");
+  await e.page.keyboard.press("Enter");
+  await until("the plan", () => e.api("return vscode.window.tabGroups.activeTabGroup.activeTab?.label === 'plan.png'"));
+  await shoot("exported");
+  await show(0);
   await command("notifications.clearAll");
   await command("scenelang.restartServer");
   const [holds, total] = await until("a count", counted);

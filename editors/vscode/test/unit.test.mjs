@@ -24,6 +24,7 @@ const { locate } = await load("locate.ts");
 const { at, groups, margin } = await load("groups.ts");
 const { page } = await load("page.ts");
 const { alternativesPage } = await load("alternatives-page.ts");
+const { results } = await load("results.ts");
 const { run } = await load("run.ts");
 const { KEYS, choice, environment, refusal } = await load("environment.ts");
 const names = await load("names.ts");
@@ -147,6 +148,12 @@ test("a request is shown with what became of each phrase, whatever its letters",
   assert.equal(text, "A café 🪑 with a desk.\nCosy!\n\nAdded, though not said:\n  object door: a room has one\n");
   assert.deepEqual(marks.map(({ start, end, fate, lines }) => [text.slice(start, end), fate, lines.join()]), [["with a desk", "became", "object desk"], ["Cosy!", "lost", ""], ["Cosy", "lost", ""]]);
   assert.equal(summary(outcome), "understood 1 of 2 clauses; not used: “Cosy”; 1 statement became a preference, since not all can hold together.");
+});
+
+test("what was exported is opened, the picture first", () => {
+  const found = results([".scenelang-manifest.json", "picture.png", "plan.png", "plan.svg", "preview.html", "room.glb", "unity"]);
+  assert.deepEqual(found.map(({ label, file, where }) => `${label} ${file} ${where}`), ["Picture picture.png editor", "Floor Plan plan.png editor", "Page with the Room preview.html outside", "GLB room.glb outside", "Unity Project unity folder"]);
+  assert.deepEqual(results(["notes.txt"]), []);
 });
 
 test("margins have a sign and a unit", () => {

@@ -1,7 +1,7 @@
 // A page of `scenelang view`: the room over HTTP, news of it as server-sent events, moves as requests.
 //
 //   GET  scene?known=SHAPE   the room, without the geometry where that is known
-//   GET  events  `changed`, `stale` (data: why)
+//   GET  events  `changed`, `stale` (data: why), `select` (data: an object, or a row by its id)
 //   POST move    {object, pos, rot, commit} -> verdicts
 //
 // Every request needs the cookie that the browser got for the secret in the printed address. A move also needs a token that
@@ -28,6 +28,7 @@ export class Server implements Source {
     };
     const load = () => void fetchRoom().catch((why: unknown) => sink.stale(String(why)));
     events.addEventListener("changed", load);
+    events.addEventListener("select", (e: MessageEvent<string>) => sink.select(e.data));
     events.addEventListener("stale", (e: MessageEvent<string>) => sink.stale(e.data));
     events.addEventListener("error", () => sink.stale("the server has gone; scenelang view starts it again"));
   }

@@ -481,6 +481,9 @@ pub struct View {
     /// Do not open a browser, only print the address
     #[arg(long)]
     pub no_open: bool,
+    /// Select the object that each line of standard input names, and stop at its end: how the language server shows a room
+    #[arg(long, hide = true)]
+    pub follow: bool,
 }
 
 /// `scenelang export`

@@ -46,15 +46,35 @@ pub struct Shown {
 }
 
 struct State {
-    /// Counts what pages have to be told.
-    version: u64,
+    news: News,
     room: Option<Arc<CheckedLayout>>,
     /// The room for the page.
     data: Option<Told>,
     /// What is dragged at the moment.
     drag: Option<Drag>,
+}
+
+/// What pages have to be told.
+#[derive(Clone, Debug)]
+pub struct News {
+    /// Counts all of it.
+    pub version: u64,
+    /// Counts rooms.
+    pub rooms: u64,
     /// Why there is no room, or why it is old.
-    why: Option<String>,
+    pub why: Option<String>,
+    /// Counts selections.
+    pub selections: u64,
+    /// What is selected: an object by name, or a row of the report by its id.
+    pub selected: String,
+}
+
+impl News {
+    /// Nothing has been read.
+    pub fn none() -> Self {
+        let why = Some("it is being read".to_owned());
+        Self { version: 0, rooms: 0, why, selections: 0, selected: String::new() }
+    }
 }
 
 /// A room as JSON.
@@ -79,7 +99,7 @@ impl Told {
 impl Shown {
     /// Nothing yet; `file` is a program or a layout.
     pub fn new(file: &Path) -> Self {
-        let state = State { version: 0, room: None, data: None, drag: None, why: Some("it is being read".to_owned()) };
+        let state = State { news: News::none(), room: None, data: None, drag: None };
         Self { file: file.to_path_buf(), state: Mutex::new(state), news: Condvar::new() }
     }
 
@@ -88,20 +108,36 @@ impl Shown {
         let read = CheckedLayout::read(&self.file, Some(seen)).and_then(|room| Ok((Told::new(&room)?, room)));
         let mut state = self.lock();
         match read {
-            Ok((data, _)) if state.why.is_none() && state.data.as_ref() == Some(&data) => return,
-            Ok((data, room)) => (state.room, state.data, state.why) = (Some(Arc::new(room)), Some(data), None),
-            Err(why) if state.why.as_ref() == Some(&why) => return,
+            Ok((data, _)) if state.news.why.is_none() && state.data.as_ref() == Some(&data) => return,
+            Ok((data, room)) => (state.room, state.data, state.news.why) = (Some(Arc::new(room)), Some(data), None),
+            Err(why) if state.news.why.as_ref() == Some(&why) => return,
             // What could be shown last stays.
-            Err(why) => state.why = Some(why),
+            Err(why) => state.news.why = Some(why),
         }
-        state.version += 1;
+        state.news.rooms += 1;
+        self.tell(state);
+    }
+
+    /// Has all pages select something.
+    pub fn select(&self, what: String) {
+        let mut state = self.lock();
+        if state.news.selected != what {
+            state.news.selected = what;
+            state.news.selections += 1;
+            self.tell(state);
+        }
+    }
+
+    fn tell(&self, mut state: MutexGuard<'_, State>) {
+        state.news.version += 1;
+        drop(state);
         self.news.notify_all();
     }
 
     /// The room as JSON, without the geometry if that is `known`; or why there is none that is up to date.
     pub fn data(&self, known: &str) -> Result<String, String> {
         let state = self.lock();
-        match (&state.why, &state.data) {
+        match (&state.news.why, &state.data) {
             (Some(why), _) => Err(why.clone()),
             (None, Some(data)) if data.shape == known => Ok(data.places.clone()),
             (None, Some(data)) => Ok(data.whole.clone()),
@@ -109,12 +145,12 @@ impl Shown {
         }
     }
 
-    /// Waits for news after `version`, at most so long: the version now, and why the room is old, if it is.
-    pub fn after(&self, version: u64, patience: Duration) -> (u64, Option<String>) {
+    /// Waits for news after `version`, at most so long; what there is to tell now.
+    pub fn after(&self, version: u64, patience: Duration) -> News {
         let state = self.lock();
-        let waited = self.news.wait_timeout_while(state, patience, |state| state.version == version);
+        let waited = self.news.wait_timeout_while(state, patience, |state| state.news.version == version);
         let (state, _) = waited.unwrap_or_else(PoisonError::into_inner);
-        (state.version, state.why.clone())
+        state.news.clone()
     }
 
     /// Judges a move, and makes it if that is asked for.

@@ -1,5 +1,5 @@
 //! `scenelang view`: a room in any browser, on this machine alone. What changes on disk is shown at once; what is dragged is
-//! judged on its way, and written to the layout when it is let go.
+//! judged on its way, and written to the layout when it is let go. A language server says what is under the cursor.
 
 mod body;
 mod connection;
@@ -14,7 +14,7 @@ use crate::watch::{Seen, wait};
 use crate::{FAILED, GOOD, interrupt};
 use live::Shown;
 use scenelang_export::preview;
-use std::io::Write;
+use std::io::{BufRead, Write, stdin};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 
@@ -43,6 +43,9 @@ pub fn run(args: &View) -> u8 {
     }
     // Whenever it comes, Ctrl-C is how a view ends.
     let _gentle = interrupt::Gentle::new();
+    if args.follow {
+        follow(&shown);
+    }
     loop {
         let seen = Seen::default();
         shown.read(&seen);
@@ -50,6 +53,18 @@ pub fn run(args: &View) -> u8 {
             return GOOD;
         }
     }
+}
+
+/// Selects what standard input names. Whoever writes there has started this, and it ends when they are gone.
+fn follow(shown: &Arc<Shown>) {
+    let shown = Arc::clone(shown);
+    std::thread::spawn(move || {
+        for line in stdin().lock().lines() {
+            let Ok(line) = line else { break };
+            shown.select(line);
+        }
+        std::process::exit(GOOD.into());
+    });
 }
 
 /// Opens the browser, if there is one; the address has been said. On macOS other users could read the secret where the

@@ -4,7 +4,7 @@
 use super::body::ResponseBody;
 use super::connection::{Connection, Connections};
 use super::door::Door;
-use super::live::Shown;
+use super::live::{News, Shown};
 use super::peer::is_another_user;
 use super::site::Site;
 use crate::interrupt;
@@ -42,7 +42,7 @@ pub fn start(port: u16, viewer: &'static str, shown: &Arc<Shown>) -> io::Result<
     listener.set_nonblocking(true)?;
     let door = Door::new(listener.local_addr()?.port())?;
     let address = door.address();
-    let (tell, news) = watch::channel((0, Some("it is being read".to_owned())));
+    let (tell, news) = watch::channel(News::none());
     let site = Arc::new(Site::new(door, viewer, Arc::clone(shown), news)?);
     let runtime =
         tokio::runtime::Builder::new_current_thread().enable_io().enable_time().max_blocking_threads(JUDGES).build()?;
@@ -50,8 +50,9 @@ pub fn start(port: u16, viewer: &'static str, shown: &Arc<Shown>) -> io::Result<
     std::thread::Builder::new().name("news".to_owned()).spawn(move || {
         let mut version = u64::MAX;
         while !interrupt::asked() {
-            let (now, why) = shown.after(version, TICK);
-            if now != version && tell.send((now, why)).is_err() {
+            let news = shown.after(version, TICK);
+            let now = news.version;
+            if now != version && tell.send(news).is_err() {
                 break;
             }
             version = now;

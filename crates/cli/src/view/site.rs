@@ -4,7 +4,7 @@
 use super::body::{ResponseBody, Untaken, is_larger, read};
 use super::connection::Connection;
 use super::door::{Admission, Door, secret};
-use super::live::{Move, Refused, Shown};
+use super::live::{Move, News, Refused, Shown};
 use hyper::body::{Bytes, Incoming};
 use hyper::header::{HeaderName, HeaderValue};
 use hyper::http::request::Parts;
@@ -37,9 +37,6 @@ const HEADERS: [(&str, &str); 6] = [
     ("referrer-policy", "no-referrer"),
     ("cache-control", "no-store"),
 ];
-
-/// What is news: a count that changes with it, and why the room is old, if it is.
-pub type News = (u64, Option<String>);
 
 /// What is shown, and to whom.
 pub struct Site {
@@ -143,17 +140,16 @@ impl Site {
         tokio::spawn(async move {
             let mut news = site.news.clone();
             // What it is now is news to a page that has just come.
-            let mut next = Some(event(&news.borrow_and_update()));
+            let mut told: Option<News> = None;
             loop {
-                let lines = next.take().unwrap_or_else(|| Bytes::from_static(b": still here\n\n"));
+                let now = news.borrow_and_update().clone();
+                let lines = events(told.as_ref(), &now);
+                told = Some(now);
                 if page.send(lines).await.is_err() {
                     break;
                 }
-                if let Ok(changed) = timeout(HEARTBEAT, news.changed()).await {
-                    if changed.is_err() {
-                        break;
-                    }
-                    next = Some(event(&news.borrow_and_update()));
+                if let Ok(Err(_)) = timeout(HEARTBEAT, news.changed()).await {
+                    break;
                 }
             }
             site.pages.fetch_sub(1, Ordering::SeqCst);
@@ -162,14 +158,23 @@ impl Site {
     }
 }
 
-fn event((_, why): &News) -> Bytes {
-    match why {
-        None => Bytes::from_static(b"event: changed\ndata: 1\n\n"),
-        Some(why) => {
-            let lines: String = why.lines().map(|line| format!("data: {line}\n")).collect();
-            Bytes::from(format!("event: stale\n{lines}\n"))
-        }
+/// What a page that knows of some news is to be told.
+fn events(told: Option<&News>, now: &News) -> Bytes {
+    let event = |kind: &str, data: &str| {
+        let lines: String = data.lines().map(|line| format!("data: {line}\n")).collect();
+        format!("event: {kind}\n{lines}\n")
+    };
+    let mut out = String::new();
+    if told.is_none_or(|told| told.rooms != now.rooms) {
+        out += &now.why.as_ref().map_or_else(|| event("changed", "1"), |why| event("stale", why));
     }
+    if told.map_or(0, |told| told.selections) != now.selections {
+        out += &event("select", &now.selected);
+    }
+    if out.is_empty() {
+        out += ": still here\n\n";
+    }
+    Bytes::from(out)
 }
 
 fn text(status: StatusCode, said: impl Into<Bytes>) -> Response<ResponseBody> {

@@ -32,6 +32,10 @@ pub struct Answer {
 impl View {
     /// Shows the solved meeting room.
     pub fn start() -> Self {
+        Self::start_with(&["view", "--no-open"], Stdio::null())
+    }
+
+    fn start_with(args: &[&str], input: Stdio) -> Self {
         let (folder, scene) = folder_with("meeting-room");
         let program = |args: &[&str]| {
             let mut command = binary();
@@ -39,7 +43,8 @@ impl View {
             command
         };
         assert!(program(&["solve"]).output().unwrap().status.success());
-        let mut child = program(&["view", "--no-open"]).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let mut command = program(args);
+        let mut child = command.stdin(input).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let (address, secret) = line.trim().strip_prefix("http://").unwrap().split_once("/?key=").unwrap();
@@ -218,6 +223,24 @@ fn only_its_own_pages_are_answered() {
     let room: Value = serde_json::from_str(&view.ask("GET /scene", &[], "").body).unwrap();
     assert_eq!(room["format"], "scenelang.preview/1");
     assert!(!room["glb"].as_str().unwrap().is_empty());
+}
+
+#[test]
+fn what_a_language_server_names_is_selected() {
+    if !there() {
+        return;
+    }
+    let mut view = View::start_with(&["view", "--no-open", "--follow"], Stdio::piped());
+    let mut input = view.child.stdin.take().unwrap();
+    let mut events = view.follow();
+    writeln!(input, "lamp").unwrap();
+    assert_eq!(events.until("select"), "lamp");
+    writeln!(input, "chair[2]").unwrap();
+    assert_eq!(events.until("select"), "chair[2]");
+    // A page that comes later has it, too.
+    assert_eq!(view.follow().until("select"), "chair[2]");
+    drop(input);
+    assert!(view.child.wait().unwrap().success(), "it ends with the server");
 }
 
 #[test]

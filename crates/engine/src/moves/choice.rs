@@ -8,6 +8,10 @@ use std::cmp::Reverse;
 
 /// So many choices are offered.
 const CHOICES: usize = 3;
+/// What a flaw counts (metres): so much farther does one go to avoid it.
+const FLAW: f64 = 3.0;
+/// What a second direction counts (metres): who can push something along a wall does not push it away from that as well.
+const DIRECTION: f64 = 0.1;
 /// A choice costs at most so many times what the first one costs, and so much more (metres): nobody moves a wardrobe
 /// across the room where a chair can be pushed aside.
 const FARTHER: (f64, f64) = (3.0, 0.5);
@@ -20,6 +24,8 @@ pub(super) struct Judged {
     pub does: Consequences,
     /// Of what is wanted, how much does not hold.
     pub open: usize,
+    /// How much it makes awkward that was not.
+    pub flaws: usize,
     /// Whether it moves a door or a window.
     pub fitting: bool,
     /// Whether it only turns an object, and that is what the rows are about.
@@ -33,12 +39,24 @@ impl Judged {
         (hard + self.open, soft)
     }
 
+    /// Whether nobody has a reason to look for another one.
+    pub fn is_sound(&self) -> bool {
+        self.harm() == (0, 0) && self.flaws == 0
+    }
+
+    /// What it costs with what is awkward about it.
+    fn price(&self) -> f64 {
+        let own = self.steps.iter().filter(|step| step.with.is_none());
+        let ways = own.map(|step| step.by.iter().filter(|by| **by != 0.0).count().saturating_sub(1));
+        self.cost + FLAW * self.flaws as f64 + DIRECTION * ways.sum::<usize>() as f64
+    }
+
     /// Less harm first, then what leaves doors and windows alone, then what repairs more, then turns that are asked for,
-    /// then the smaller one.
+    /// then the one that is smaller and less awkward.
     pub fn better_than(&self, other: &Self) -> bool {
         let hard = |j: &Self| j.does.repairs.iter().filter(|row| row.kind != RowKind::Prefer).count();
         let key = |j: &Self| (j.harm(), j.fitting, Reverse(hard(j)), !j.directed);
-        key(self) < key(other) || key(self) == key(other) && self.cost < other.cost
+        key(self) < key(other) || key(self) == key(other) && self.price() < other.price()
     }
 
     /// What is moved by itself, and whether it is only turned. Of moves of the same kind one is enough.
@@ -62,10 +80,10 @@ pub(super) fn is_turn(step: &ObjectMove) -> bool {
     step.by == [0.0; 3]
 }
 
-/// What is offered beside the best move: others that do no harm, each of its own kind. Where the best one does harm, there
+/// What is offered beside the best move: others that do no harm and are no more awkward, each of its own kind. Where the best one does harm, there
 /// are none.
 pub(super) fn choose(best: Judged, others: Vec<Judged>) -> Vec<Judged> {
-    let most = FARTHER.0 * best.cost + FARTHER.1;
+    let most = FARTHER.0 * best.price() + FARTHER.1;
     let mut choices = vec![best];
     if choices[0].harm() != (0, 0) {
         return choices;
@@ -73,7 +91,9 @@ pub(super) fn choose(best: Judged, others: Vec<Judged>) -> Vec<Judged> {
     let best = choices[0].clone();
     // What can be turned need not be moved as well.
     let turned = |other: &Judged| best.directed && other.kind().iter().any(|(id, _)| *id == best.steps[0].object);
-    let fits = |other: &Judged| other.cost <= most && other.fitting <= best.fitting && !turned(other);
+    let fits = |other: &Judged| {
+        other.price() <= most && other.fitting <= best.fitting && other.flaws <= best.flaws && !turned(other)
+    };
     let mut others: Vec<Judged> = others.into_iter().filter(fits).collect();
     while choices.len() < CHOICES {
         others.retain(|other| choices.iter().all(|known| known.kind() != other.kind()));

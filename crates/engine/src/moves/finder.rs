@@ -3,7 +3,8 @@
 //!
 //! What is offered has been judged: after it the rows hold. Of several moves the one is offered that breaks least; of
 //! these the one that leaves doors and windows where they are; of these the one that repairs most, since what displaced
-//! an object broke all that speaks of it; of these a turn, where the rows are about directions, and else the smallest.
+//! an object broke all that speaks of it; of these a turn, where the rows are about directions, and else the smallest,
+//! where what is awkward counts as a longer way.
 //! Nothing comes to rest on what it did not rest on, unless that is asked for.
 //!
 //! What a move would break becomes a goal in its turn, and the search begins again. So what one object can repair without
@@ -281,12 +282,13 @@ impl<'a> MoveFinder<'a> {
         let mut attempt = attempt.clone();
         if !riders.is_empty() {
             // Alone it leaves something without support, most likely.
-            for judged in self.judged(&attempt, &[], false) {
+            for judged in self.judged(&attempt, &[], From::Here) {
                 keep(&mut best, Some(judged));
             }
         }
         let half = attempt.limit.saturating_sub(self.stage.work) / 2;
-        for far in [false, true] {
+        for from in [From::Here, From::Afar] {
+            let far = from == From::Afar;
             if far {
                 // However dear it was to look around, something is left for places farther off.
                 attempt.limit = attempt.limit.max(self.stage.work + half);
@@ -296,9 +298,9 @@ impl<'a> MoveFinder<'a> {
                     break;
                 }
                 if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) {
-                    return best;
+                    return self.properly(best, &attempt, &riders);
                 }
-                let found = self.judged(&attempt, &riders, far);
+                let found = self.judged(&attempt, &riders, from);
                 let before = attempt.goals.len();
                 for judged in &found {
                     let broken = judged.does.breaks.iter().map(|row| Goal::Row(*row));
@@ -319,6 +321,18 @@ impl<'a> MoveFinder<'a> {
                 attempt.goals.extend(new);
             }
         }
+        self.properly(best, &attempt, &riders)
+    }
+
+    /// The best move of an object; where the one that is known is awkward, it may go where such things stand.
+    fn properly(&mut self, known: Option<Judged>, attempt: &Attempt<'_>, riders: &[ObjectId]) -> Option<Judged> {
+        if known.as_ref().is_some_and(|known| known.is_sound()) || self.stage.has_spent(attempt.limit) {
+            return known;
+        }
+        let mut best = known;
+        for judged in self.judged(attempt, riders, From::Proper) {
+            keep(&mut best, Some(judged));
+        }
         best
     }
 
@@ -331,16 +345,15 @@ impl<'a> MoveFinder<'a> {
     /// The smallest moves of an object, whatever they break.
     fn nearest(&mut self, attempt: &Attempt<'_>) -> Vec<Judged> {
         let riders = self.riders(attempt);
-        let mut found = self.judged(attempt, &[], false);
+        let mut found = self.judged(attempt, &[], From::Here);
         if !riders.is_empty() {
-            found.extend(self.judged(attempt, &riders, false));
+            found.extend(self.judged(attempt, &riders, From::Here));
         }
         found
     }
 
-    /// Moves of an object with what goes along, by what they do; up to the first that does no harm. With
-    /// `far`, places farther off are tried.
-    fn judged(&mut self, attempt: &Attempt<'_>, riders: &[ObjectId], far: bool) -> Vec<Judged> {
+    /// Moves of an object with what goes along, by what they do; up to the first that neither does harm nor is awkward.
+    fn judged(&mut self, attempt: &Attempt<'_>, riders: &[ObjectId], places: From) -> Vec<Judged> {
         let Attempt { object, goals, rows, steps, free, limit } = attempt;
         let [pos, turn] = self.stage.pins(*object, free);
         let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
@@ -360,12 +373,16 @@ impl<'a> MoveFinder<'a> {
             return Vec::new();
         };
         let search = search.directed(directed);
-        let mut candidates = if far { search.far() } else { search.near() };
+        let mut candidates = match places {
+            From::Here => search.near(),
+            From::Afar => search.far(),
+            From::Proper => search.proper(),
+        };
         if directed {
             candidates.sort_by_key(|(_, step)| !choice::is_turn(step));
         }
         let mut found = Vec::new();
-        // Of each kind, turns and others, the first that does no harm is enough.
+        // Of each kind, turns and others, the first that is sound is enough.
         let mut done = [false; 2];
         for (i, (cost, step)) in candidates.into_iter().take(JUDGED).enumerate() {
             if i > 0 && self.stage.has_spent(self.limit) {
@@ -391,10 +408,11 @@ impl<'a> MoveFinder<'a> {
             }
             let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();
             let fitting = moved.iter().any(|id| self.stage.is_fitting(*id));
-            let judged = Judged { cost, steps: all, does, open, fitting, directed: directed && turn };
+            let flaws = self.stage.new_flaws(&moved);
+            let judged = Judged { cost, steps: all, does, open, flaws, fitting, directed: directed && turn };
             if judged.harm() == (0, 0) {
                 self.harmless.push(judged.clone());
-                done[usize::from(turn)] = true;
+                done[usize::from(turn)] |= judged.is_sound();
             }
             found.push(judged);
             if done == [true; 2] {
@@ -403,6 +421,17 @@ impl<'a> MoveFinder<'a> {
         }
         found
     }
+}
+
+/// Where moves of an object begin.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum From {
+    /// Where it is.
+    Here,
+    /// Places farther off.
+    Afar,
+    /// Places where people put such things: beside a sofa, before the middle of a desk.
+    Proper,
 }
 
 /// What is to be done about goals by moving an object.

@@ -1,8 +1,11 @@
 //! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), how the
-//! moves of one object are found ([`search`]), and which of them are offered ([`choice`]).
+//! moves of one object are found ([`search`], [`proper`]), what is awkward about where they lead ([`flaws`]), and which of
+//! them are offered ([`choice`]).
 
 mod choice;
 mod finder;
+mod flaws;
+mod proper;
 mod search;
 mod stage;
 

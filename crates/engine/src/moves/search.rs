@@ -44,18 +44,18 @@ const HALF_TURN: f64 = 180.0;
 const NEARLY_SQUARE: f64 = 20.0;
 
 /// A move: metres along x, y, z, and degrees.
-type Move = [f64; 4];
+pub(super) type Move = [f64; 4];
 
 /// Looks for moves of one object, with what goes along with it.
 pub(super) struct MoveSearch<'s, 'a> {
-    stage: &'s mut Stage<'a>,
+    pub(super) stage: &'s mut Stage<'a>,
     /// What is to hold, the cheapest first.
-    goals: Vec<Goal>,
+    pub(super) goals: Vec<Goal>,
     /// Where the object has been moved to already.
-    from: ObjectMove,
+    pub(super) from: ObjectMove,
     /// What goes along.
     riders: &'s [ObjectId],
-    freedom: Freedom,
+    pub(super) freedom: Freedom,
     /// See [`Pose::heft`](crate::Pose::heft).
     per_degree: f64,
     weight: f64,
@@ -88,7 +88,7 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
     }
 
     /// How far the farthest point of the object travels at most (metres), by its weight.
-    fn cost(&self, step: &ObjectMove) -> f64 {
+    pub(super) fn cost(&self, step: &ObjectMove) -> f64 {
         let [x, y, z] = step.by;
         (x.hypot(y).hypot(z) + step.turn.abs() * self.per_degree) * self.weight
     }
@@ -270,7 +270,7 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         sum
     }
 
-    fn step(&self, m: &Move) -> ObjectMove {
+    pub(super) fn step(&self, m: &Move) -> ObjectMove {
         let by = std::array::from_fn(|i| self.from.by[i] + m[i]);
         ObjectMove { object: self.from.object, by, turn: self.from.turn + m[3], with: None }
     }
@@ -280,7 +280,7 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         if self.dear { 5 } else { 14 }
     }
 
-    fn spent(&self) -> bool {
+    pub(super) fn spent(&self) -> bool {
         self.stage.has_spent(self.limit)
     }
 
@@ -289,7 +289,7 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         self.stage.put_with(&step, self.riders);
     }
 
-    fn holds(&mut self, m: &Move) -> bool {
+    pub(super) fn holds(&mut self, m: &Move) -> bool {
         if self.spent() {
             return false;
         }

@@ -3,6 +3,7 @@
 //! Only rows that mention what was moved are judged again, with the pairs and supports around its old and its new place.
 
 use super::DEAR;
+use super::flaws::{Flaw, Sense};
 use crate::index::cost;
 use crate::rows::{Goal, row_of, truth};
 use crate::{Index, Mirror, Pose, State};
@@ -56,6 +57,8 @@ pub(super) struct Stage<'a> {
     before: FxHashMap<RowRef, Option<Truth<f64>>>,
     /// By object: what it rests on in the layout, as far as somebody has asked.
     carriers: FxHashMap<ObjectId, Option<Option<ObjectId>>>,
+    /// By object: what is awkward about where the layout has it, as far as somebody has asked.
+    flaws: FxHashMap<ObjectId, Vec<Flaw>>,
     cones: FxHashMap<(usize, NodeId), Rc<[NodeId]>>,
     /// Work done, in small comparisons.
     pub work: usize,
@@ -78,6 +81,7 @@ impl<'a> Stage<'a> {
             slopes: Scratch::new(),
             before: FxHashMap::default(),
             carriers: FxHashMap::default(),
+            flaws: FxHashMap::default(),
             cones: FxHashMap::default(),
             work: 0,
             purse,
@@ -88,6 +92,16 @@ impl<'a> Stage<'a> {
     /// Where the layout has an object.
     pub fn home(&self, id: ObjectId) -> Option<Pose> {
         self.state.home(id)
+    }
+
+    /// Where an object is on the stage.
+    pub fn pose(&self, id: ObjectId) -> Option<Pose> {
+        self.state.pose(id)
+    }
+
+    /// What an object is for.
+    pub fn role(&self, id: ObjectId) -> &'a str {
+        self.program.objects[id.0 as usize].role.as_str()
     }
 
     /// The instance with what is moved.
@@ -197,7 +211,7 @@ impl<'a> Stage<'a> {
 
     /// Whether an object belongs into a wall: a door or a window. Nobody moves these to make room for furniture.
     pub fn is_fitting(&self, id: ObjectId) -> bool {
-        matches!(self.program.objects[id.0 as usize].role.as_str(), "door" | "window")
+        matches!(self.role(id), "door" | "window")
     }
 
     /// Whether goals are about where an object looks: they read its directions, and neither its size nor a region, as what
@@ -261,11 +275,7 @@ impl<'a> Stage<'a> {
         if let Some(known) = self.carriers.get(&id) {
             return *known;
         }
-        let state = &self.state;
-        let now: Vec<(ObjectId, Pose)> = state.moved().filter_map(|(id, _)| Some((id, state.pose(id)?))).collect();
-        self.state.undo();
-        let found = self.carrier(id);
-        now.iter().for_each(|(id, pose)| self.state.set_pose(*id, pose));
+        let found = self.at_home(|stage| stage.carrier(id));
         self.carriers.insert(id, found);
         found
     }
@@ -316,13 +326,39 @@ impl<'a> Stage<'a> {
         if rows.iter().all(|row| self.before.contains_key(row)) {
             return;
         }
+        self.at_home(|stage| {
+            rows.iter().for_each(|row| {
+                stage.before(*row);
+            });
+        });
+    }
+
+    /// What is seen with everything where the layout has it; what is elsewhere is so again afterwards.
+    fn at_home<T>(&mut self, look: impl FnOnce(&mut Self) -> T) -> T {
         let state = &self.state;
         let now: Vec<(ObjectId, Pose)> = state.moved().filter_map(|(id, _)| Some((id, state.pose(id)?))).collect();
         self.state.undo();
-        for row in rows {
-            self.before(*row);
-        }
+        let seen = look(self);
         now.iter().for_each(|(id, pose)| self.state.set_pose(*id, pose));
+        seen
+    }
+
+    /// How much has become awkward that was not, these objects being the ones moved.
+    pub fn new_flaws(&mut self, moved: &[ObjectId]) -> usize {
+        self.work += moved.len() * (4 + self.program.objects.len() / 16);
+        let now = Sense::new(self.program, self.state.world()).flaws(moved);
+        if now.is_empty() {
+            return 0;
+        }
+        let unknown: Vec<ObjectId> = moved.iter().copied().filter(|id| !self.flaws.contains_key(id)).collect();
+        self.at_home(|stage| {
+            for id in unknown {
+                let before = Sense::new(stage.program, stage.state.world()).flaws(&[id]);
+                stage.flaws.insert(id, before);
+            }
+        });
+        let before = |flaw: &Flaw| moved.iter().any(|id| self.flaws[id].contains(flaw));
+        now.iter().filter(|flaw| !before(flaw)).count()
     }
 
     /// What judging a goal costs, in small comparisons.

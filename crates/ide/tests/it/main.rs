@@ -16,5 +16,6 @@ mod moving;
 mod navigation;
 mod rename;
 mod signature;
+mod spoken;
 mod symbols;
 mod tokens;

@@ -14,7 +14,11 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::PoisonError;
-use tower_lsp::ls_types::{Position, Range, TextDocumentIdentifier, Uri};
+use tower_lsp::ls_types::{
+    CodeLens, ColorPresentation, Command, DocumentLink, FoldingRange, FoldingRangeKind, InlayHint, InlayHintLabel,
+    InlayHintTooltip, MarkupContent, MarkupKind, Position, Range, SelectionRange, TextDocumentIdentifier, TextEdit,
+    Uri,
+};
 
 // ── Semantic tokens ──
 
@@ -87,59 +91,57 @@ pub fn tokens_delta(context: &Context, params: &Delta) -> Result<Value, Fault> {
 // ── Shape ──
 
 /// `textDocument/foldingRange`
-pub fn folding(context: &Context, _: &Whole) -> Result<Value, Fault> {
+pub fn folding(context: &Context, _: &Whole) -> Result<Vec<FoldingRange>, Fault> {
     let folds = shape::folds(context.text.as_str()).into_iter().map(|(range, fold)| {
         let Range { start, end } = context.range(range);
-        let mut out = json!({ "startLine": start.line, "endLine": end.line });
-        match fold {
-            Fold::Statement => {}
-            Fold::Comment => out["kind"] = "comment".into(),
-            Fold::Imports => out["kind"] = "imports".into(),
-            Fold::Section => out["kind"] = "region".into(),
-        }
-        out
+        let kind = match fold {
+            Fold::Statement => None,
+            Fold::Comment => Some(FoldingRangeKind::Comment),
+            Fold::Imports => Some(FoldingRangeKind::Imports),
+            Fold::Section => Some(FoldingRangeKind::Region),
+        };
+        FoldingRange { start_line: start.line, end_line: end.line, kind, ..FoldingRange::default() }
     });
     Ok(folds.collect())
 }
 
 /// `textDocument/selectionRange`
-pub fn selection(context: &Context, params: &Positions) -> Result<Value, Fault> {
+pub fn selection(context: &Context, params: &Positions) -> Result<Vec<Option<SelectionRange>>, Fault> {
     let grown = params.positions.iter().map(|at| {
-        let ranges = shape::selections(context.text.as_str(), context.offset(*at));
-        ranges.into_iter().rev().fold(Value::Null, |parent, range| {
-            let mut out = json!({ "range": context.range(range) });
-            if !parent.is_null() {
-                out["parent"] = parent;
-            }
-            out
+        let ranges = shape::selections(context.text.as_str(), context.offset(*at)).into_iter().rev();
+        ranges.fold(None, |parent: Option<SelectionRange>, range| {
+            Some(SelectionRange { range: context.range(range), parent: parent.map(Box::new) })
         })
     });
     Ok(grown.collect())
 }
 
 /// `textDocument/documentLink`
-pub fn links(context: &Context, _: &Whole) -> Result<Value, Fault> {
+pub fn links(context: &Context, _: &Whole) -> Result<Vec<DocumentLink>, Fault> {
     let places = context.places();
     let found = shape::links(&context.snapshot)?.into_iter().filter_map(|(range, link)| {
         let target = match link {
             Link::Import(file) => places.uri(file)?,
             Link::Layout => disk::uri_of(context.layout.as_deref()?)?,
         };
-        Some(json!({ "range": context.range(range), "target": target }))
+        Some(link_to(context.range(range), target))
     });
     Ok(found.collect())
 }
 
 /// The link from a layout to its program, if that is there.
-pub fn layout_links(layout: &Path, text: &Text, encoding: Encoding, files: &Files) -> Value {
+pub fn layout_links(layout: &Path, text: &Text, encoding: Encoding, files: &Files) -> Vec<DocumentLink> {
     let reach = files.of(layout);
     let target = |path: String| {
         let path = normal(&layout.parent()?.join(path));
         disk::uri_of(&path).filter(|_| reach.has(&path))
     };
     let found = shape::program_of(text.as_str()).and_then(|(range, path)| Some((range, target(path)?)));
-    let found = found.map(|(range, target)| json!({ "range": text.range(range, encoding), "target": target }));
-    found.into_iter().collect()
+    found.map(|(range, target)| link_to(text.range(range, encoding), target)).into_iter().collect()
+}
+
+fn link_to(range: Range, target: Uri) -> DocumentLink {
+    DocumentLink { range, target: Some(target), tooltip: None, data: None }
 }
 
 // ── Colours ──
@@ -173,19 +175,21 @@ struct Picked {
 }
 
 /// `textDocument/colorPresentation`
-pub fn presentations(_: &Context, params: &Presentation) -> Result<Value, Fault> {
+pub fn presentations(_: &Context, params: &Presentation) -> Result<Vec<ColorPresentation>, Fault> {
     let Picked { red, green, blue } = params.color;
     let rgb = [red, green, blue].map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-    let spelled = colors::spellings(rgb)
-        .into_iter()
-        .map(|text| json!({ "label": text, "textEdit": { "range": params.within.range, "newText": text } }));
+    let spelled = colors::spellings(rgb).into_iter().map(|text| ColorPresentation {
+        text_edit: Some(TextEdit { range: params.within.range, new_text: text.clone() }),
+        label: text,
+        additional_text_edits: None,
+    });
     Ok(spelled.collect())
 }
 
 // ── Between the lines ──
 
 /// `textDocument/inlayHint`
-pub fn inlay_hints(context: &Context, within: &Within) -> Result<Value, Fault> {
+pub fn inlay_hints(context: &Context, within: &Within) -> Result<Vec<InlayHint>, Fault> {
     let on = context.config.hints;
     let shown = |kind: HintKind| match kind {
         HintKind::Margin => on.margins,
@@ -195,12 +199,17 @@ pub fn inlay_hints(context: &Context, within: &Within) -> Result<Value, Fault> {
     let found = hints::hints(&context.snapshot, context.bytes(within.range))?;
     let found = found.into_iter().filter(|hint| shown(hint.kind)).map(|hint| {
         let position = context.text.position(hint.at, context.client.encoding);
-        let mut out =
-            json!({ "position": position, "label": hint.label, "paddingLeft": true, "tooltip": hint.tooltip });
-        if hint.kind == HintKind::Margin && context.client.resolves_hints {
-            out["data"] = json!(About { uri: context.uri.clone(), position });
+        let resolved = hint.kind == HintKind::Margin && context.client.resolves_hints;
+        InlayHint {
+            position,
+            label: InlayHintLabel::String(hint.label),
+            kind: None,
+            text_edits: None,
+            tooltip: Some(InlayHintTooltip::String(hint.tooltip)),
+            padding_left: Some(true),
+            padding_right: None,
+            data: resolved.then(|| json!(About { uri: context.uri.clone(), position })),
         }
-        out
     });
     Ok(found.collect())
 }
@@ -214,23 +223,23 @@ pub struct About {
 }
 
 /// `inlayHint/resolve`
-pub fn resolved_hint(context: &Context, mut hint: Value, about: &About) -> Result<Value, Fault> {
-    if let Some(text) = hints::tooltip(&context.snapshot, context.offset(about.position))? {
-        hint["tooltip"] = json!({ "kind": "markdown", "value": text });
+pub fn resolved_hint(context: &Context, mut hint: InlayHint, about: &About) -> Result<InlayHint, Fault> {
+    if let Some(value) = hints::tooltip(&context.snapshot, context.offset(about.position))? {
+        let text = MarkupContent { kind: MarkupKind::Markdown, value };
+        hint.tooltip = Some(InlayHintTooltip::MarkupContent(text));
     }
     Ok(hint)
 }
 
 /// `textDocument/codeLens`
-pub fn lenses(context: &Context, _: &Whole) -> Result<Value, Fault> {
+pub fn lenses(context: &Context, _: &Whole) -> Result<Vec<CodeLens>, Fault> {
     let uri = &context.uri;
     let mut out = Vec::new();
     for (range, lens) in hints::lenses(&context.snapshot)? {
         let range = context.range(range);
         let mut push = |title: &str, command: &str, argument: Value| {
-            out.push(json!({
-                "range": range, "command": { "title": title, "command": command, "arguments": [argument] },
-            }));
+            let command = Command::new(title.to_owned(), command.to_owned(), Some(vec![argument]));
+            out.push(CodeLens { range, command: Some(command), data: None });
         };
         match lens {
             Lens::Program => {
@@ -245,5 +254,5 @@ pub fn lenses(context: &Context, _: &Whole) -> Result<Value, Fault> {
             }
         }
     }
-    Ok(out.into())
+    Ok(out)
 }

@@ -10,60 +10,66 @@ use scenelang_ide::names::{Role, name_at};
 use scenelang_ide::navigate::{self, NavigationTarget};
 use scenelang_ide::{Cancelled, Snapshot, hover as hovering, rename as renaming, symbols};
 use serde::Deserialize;
-use serde_json::{Value, json};
 use std::path::PathBuf;
-use tower_lsp::ls_types::{Location, Position, Range, TextDocumentIdentifier};
+use tower_lsp::ls_types::{
+    CallHierarchyIncomingCall, CallHierarchyItem, CallHierarchyOutgoingCall, DocumentHighlight, DocumentHighlightKind,
+    DocumentSymbol, DocumentSymbolResponse, GotoDefinitionResponse, Hover, HoverContents, Location, LocationLink,
+    MarkupContent, MarkupKind, OneOf, Position, PrepareRenameResponse, Range, SymbolInformation, SymbolKind,
+    TextDocumentIdentifier, WorkspaceSymbol,
+};
 
 /// `textDocument/hover`
-pub fn hover(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn hover(context: &Context, at: &At) -> Result<Option<Hover>, Fault> {
     let found = hovering::hover(&context.snapshot, context.offset(at.position))?;
-    Ok(found.map_or(
-        Value::Null,
-        |(range, text)| json!({ "contents": { "kind": "markdown", "value": text }, "range": context.range(range) }),
-    ))
+    Ok(found.map(|(range, value)| Hover {
+        contents: HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value }),
+        range: Some(context.range(range)),
+    }))
 }
 
 type Find = fn(&Snapshot, u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled>;
 
 /// `textDocument/definition`
-pub fn definition(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn definition(context: &Context, at: &At) -> Result<Option<GotoDefinitionResponse>, Fault> {
     go(context, at, navigate::definition)
 }
 
 /// `textDocument/declaration`
-pub fn declaration(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn declaration(context: &Context, at: &At) -> Result<Option<GotoDefinitionResponse>, Fault> {
     go(context, at, navigate::declaration)
 }
 
 /// `textDocument/typeDefinition`
-pub fn type_definition(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn type_definition(context: &Context, at: &At) -> Result<Option<GotoDefinitionResponse>, Fault> {
     go(context, at, navigate::type_definition)
 }
 
-fn go(context: &Context, at: &At, find: Find) -> Result<Value, Fault> {
-    let Some((origin, target)) = find(&context.snapshot, context.offset(at.position))? else { return Ok(Value::Null) };
+fn go(context: &Context, at: &At, find: Find) -> Result<Option<GotoDefinitionResponse>, Fault> {
+    let Some((origin, target)) = find(&context.snapshot, context.offset(at.position))? else { return Ok(None) };
     let places = context.places();
     let (uri, whole, name) = match target {
         NavigationTarget::File(span, whole) => {
-            let Some(uri) = places.uri(span.file) else { return Ok(Value::Null) };
+            let Some(uri) = places.uri(span.file) else { return Ok(None) };
             (uri, places.range(whole.in_file(span.file)), places.range(span))
         }
         NavigationTarget::Library(file, name, whole) => {
             let (path, text) = pages::library_file(file)?;
-            let Some(uri) = disk::uri_of(&path) else { return Ok(Value::Null) };
+            let Some(uri) = disk::uri_of(&path) else { return Ok(None) };
             let text = crate::text::Text::new(text.to_owned());
             let encoding = context.client.encoding;
             (uri, text.range(whole, encoding), text.range(name, encoding))
         }
     };
-    Ok(if context.client.links {
-        json!([{
-            "originSelectionRange": context.range(origin),
-            "targetUri": uri, "targetRange": cover(whole, name), "targetSelectionRange": name,
+    Ok(Some(if context.client.links {
+        GotoDefinitionResponse::Link(vec![LocationLink {
+            origin_selection_range: Some(context.range(origin)),
+            target_uri: uri,
+            target_range: cover(whole, name),
+            target_selection_range: name,
         }])
     } else {
-        json!({ "uri": uri, "range": name })
-    })
+        GotoDefinitionResponse::Scalar(Location { uri, range: name })
+    }))
 }
 
 /// The smallest range that holds both.
@@ -86,33 +92,37 @@ struct ReferenceContext {
 }
 
 /// `textDocument/references`
-pub fn references(context: &Context, params: &References) -> Result<Value, Fault> {
+pub fn references(context: &Context, params: &References) -> Result<Option<Vec<Location>>, Fault> {
     let snapshot = &context.snapshot;
     let Some(name) = name_at(snapshot, context.file(), context.offset(params.at.position))? else {
-        return Ok(Value::Null);
+        return Ok(None);
     };
     let places = context.places();
     let declaration = params.context.include_declaration;
     let found = navigate::references(snapshot, context.file(), &name.symbol, declaration)?;
     let mut found: Vec<Location> = found.into_iter().filter_map(|(span, _)| places.location(span)).collect();
     across::references(context, params.at.position, declaration, &mut found)?;
-    Ok(json!(found))
+    Ok(Some(found))
 }
 
 /// `textDocument/documentHighlight`
-pub fn highlight(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn highlight(context: &Context, at: &At) -> Result<Vec<DocumentHighlight>, Fault> {
     let found = navigate::highlights(&context.snapshot, context.offset(at.position))?;
-    let kind = |role: Role| if role == Role::Reads { 2 } else { 3 };
-    Ok(found.into_iter().map(|(range, role)| json!({ "range": context.range(range), "kind": kind(role) })).collect())
+    let kind = |role: Role| match role {
+        Role::Reads => DocumentHighlightKind::READ,
+        Role::Declares | Role::Writes => DocumentHighlightKind::WRITE,
+    };
+    let shown = |(range, role)| DocumentHighlight { range: context.range(range), kind: Some(kind(role)) };
+    Ok(found.into_iter().map(shown).collect())
 }
 
 /// `textDocument/prepareRename`
-pub fn prepare_rename(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn prepare_rename(context: &Context, at: &At) -> Result<Option<PrepareRenameResponse>, Fault> {
     let Some(range) = renaming::renamable(&context.snapshot, context.offset(at.position))? else {
-        return Ok(Value::Null);
+        return Ok(None);
     };
     let name = context.snapshot.slice(range.in_file(context.file()));
-    Ok(json!({ "range": context.range(range), "placeholder": name }))
+    Ok(Some(PrepareRenameResponse::RangeWithPlaceholder { range: context.range(range), placeholder: name.to_owned() }))
 }
 
 /// Parameters of `textDocument/rename`.
@@ -125,48 +135,60 @@ pub struct Rename {
 }
 
 /// `textDocument/rename`
-pub fn rename(context: &Context, params: &Rename) -> Result<Value, Fault> {
+pub fn rename(context: &Context, params: &Rename) -> Result<serde_json::Value, Fault> {
     let edits = renaming::rename(&context.snapshot, context.offset(params.at.position), &params.new_name)?;
     across::rename(context, params.at.position, &params.new_name, &edits.map_err(Fault::Failed)?)
 }
 
 // ── Symbols ──
 
-/// The number of the protocol for what a symbol is.
-pub fn symbol_kind(sort: symbols::Sort) -> u32 {
+/// What the protocol has for what a symbol is.
+fn symbol_kind(sort: symbols::Sort) -> SymbolKind {
     match sort {
-        symbols::Sort::Object => 19,
-        symbols::Sort::Array => 18,
-        symbols::Sort::Region => 3,
-        symbols::Sort::Variable => 13,
-        symbols::Sort::Predicate => 12,
-        symbols::Sort::Constraint => 24,
+        symbols::Sort::Object => SymbolKind::OBJECT,
+        symbols::Sort::Array => SymbolKind::ARRAY,
+        symbols::Sort::Region => SymbolKind::NAMESPACE,
+        symbols::Sort::Variable => SymbolKind::VARIABLE,
+        symbols::Sort::Predicate => SymbolKind::FUNCTION,
+        symbols::Sort::Constraint => SymbolKind::EVENT,
     }
 }
 
 /// `textDocument/documentSymbol`
-pub fn document_symbols(context: &Context, _: &Whole) -> Result<Value, Fault> {
-    let entries = symbols::outline(&context.snapshot, context.file())?;
-    let shown = |e: symbols::Entry| {
-        let (range, own) = (context.range(e.range), context.range(e.name_range));
-        if context.client.nested_symbols {
-            json!({
-                "name": e.name, "detail": e.detail, "kind": symbol_kind(e.sort),
-                "range": range, "selectionRange": own,
-            })
-        } else {
-            json!({ "name": e.name, "kind": symbol_kind(e.sort), "location": { "uri": context.uri, "range": own } })
-        }
+#[expect(deprecated, reason = "a field that is not set has to be named all the same")]
+pub fn document_symbols(context: &Context, _: &Whole) -> Result<DocumentSymbolResponse, Fault> {
+    let entries = symbols::outline(&context.snapshot, context.file())?.into_iter();
+    let nested = |e: symbols::Entry| DocumentSymbol {
+        name: e.name,
+        detail: Some(e.detail),
+        kind: symbol_kind(e.sort),
+        tags: None,
+        deprecated: None,
+        range: context.range(e.range),
+        selection_range: context.range(e.name_range),
+        children: None,
     };
-    Ok(entries.into_iter().map(shown).collect())
+    let flat = |e: symbols::Entry| SymbolInformation {
+        name: e.name,
+        kind: symbol_kind(e.sort),
+        tags: None,
+        deprecated: None,
+        location: Location { uri: context.uri.clone(), range: context.range(e.name_range) },
+        container_name: None,
+    };
+    Ok(if context.client.nested_symbols {
+        DocumentSymbolResponse::Nested(entries.map(nested).collect())
+    } else {
+        DocumentSymbolResponse::Flat(entries.map(flat).collect())
+    })
 }
 
 // ── Who speaks of whom ──
 
 /// `textDocument/prepareCallHierarchy`
-pub fn prepare_calls(context: &Context, at: &At) -> Result<Value, Fault> {
+pub fn prepare_calls(context: &Context, at: &At) -> Result<Option<Vec<CallHierarchyItem>>, Fault> {
     let item = calls::item_at(&context.snapshot, context.offset(at.position))?;
-    Ok(item.map_or(Value::Null, |item| json!([shown(context, &item)])))
+    Ok(item.map(|item| vec![shown(context, &item)]))
 }
 
 /// Parameters of the two questions about an item: what they were given before.
@@ -182,22 +204,29 @@ struct AskedItem {
 }
 
 /// `callHierarchy/incomingCalls`
-pub fn incoming(context: &Context, params: &HierarchyRequest) -> Result<Value, Fault> {
-    let Some(node) = node(context, params)? else { return Ok(Value::Null) };
+pub fn incoming(context: &Context, params: &HierarchyRequest) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Fault> {
+    let Some(node) = node(context, params)? else { return Ok(None) };
     let found = calls::incoming(&context.snapshot, &node)?;
-    Ok(found.iter().map(|(item, places)| relation(context, "from", item, places)).collect())
+    let call = |(item, places): &(Item, Vec<TextRange>)| CallHierarchyIncomingCall {
+        from: shown(context, item),
+        from_ranges: ranges(context, places),
+    };
+    Ok(Some(found.iter().map(call).collect()))
 }
 
 /// `callHierarchy/outgoingCalls`
-pub fn outgoing(context: &Context, params: &HierarchyRequest) -> Result<Value, Fault> {
-    let Some(node) = node(context, params)? else { return Ok(Value::Null) };
+pub fn outgoing(context: &Context, params: &HierarchyRequest) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Fault> {
+    let Some(node) = node(context, params)? else { return Ok(None) };
     let found = calls::outgoing(&context.snapshot, &node)?;
-    Ok(found.iter().map(|(item, places)| relation(context, "to", item, places)).collect())
+    let call = |(item, places): &(Item, Vec<TextRange>)| CallHierarchyOutgoingCall {
+        to: shown(context, item),
+        from_ranges: ranges(context, places),
+    };
+    Ok(Some(found.iter().map(call).collect()))
 }
 
-fn relation(context: &Context, key: &str, item: &Item, places: &[TextRange]) -> Value {
-    let places: Vec<Range> = places.iter().map(|r| context.range(*r)).collect();
-    json!({ key: shown(context, item), "fromRanges": places })
+fn ranges(context: &Context, places: &[TextRange]) -> Vec<Range> {
+    places.iter().map(|place| context.range(*place)).collect()
 }
 
 /// The item of a question: what stands where it was shown.
@@ -207,16 +236,22 @@ fn node(context: &Context, params: &HierarchyRequest) -> Result<Option<CallNode>
     Ok(item.filter(|item| item.name_range == range).map(|item| item.node))
 }
 
-fn shown(context: &Context, item: &Item) -> Value {
+fn shown(context: &Context, item: &Item) -> CallHierarchyItem {
     let (kind, detail) = match &item.node {
-        CallNode::Name(_) => (19, ""),
-        CallNode::Constraint(_) => (24, "constraint"),
-        CallNode::Requirement(_) => (15, "requirement"),
+        CallNode::Name(_) => (SymbolKind::OBJECT, ""),
+        CallNode::Constraint(_) => (SymbolKind::EVENT, "constraint"),
+        CallNode::Requirement(_) => (SymbolKind::STRING, "requirement"),
     };
-    json!({
-        "name": item.name, "kind": kind, "detail": detail, "uri": context.uri,
-        "range": context.range(item.range), "selectionRange": context.range(item.name_range),
-    })
+    CallHierarchyItem {
+        name: item.name.to_string(),
+        kind,
+        tags: None,
+        detail: Some(detail.to_owned()),
+        uri: context.uri.clone(),
+        range: context.range(item.range),
+        selection_range: context.range(item.name_range),
+        data: None,
+    }
 }
 
 // ── The workspace ──
@@ -227,10 +262,10 @@ pub fn workspace_symbols(
     files: &disk::Files,
     encoding: crate::text::Encoding,
     query: &str,
-) -> Value {
+) -> Vec<WorkspaceSymbol> {
     use scenelang_lang::sources::Loader;
     const MOST: usize = 500;
-    let mut out: Vec<Value> = Vec::new();
+    let mut out = Vec::new();
     let mut paths: Vec<PathBuf> = roots.iter().flat_map(|root| disk::programs(root)).collect();
     paths.extend(files.texts.keys().filter(|path| path.extension().is_some_and(|e| e == "scene")).cloned());
     paths.sort_unstable();
@@ -241,15 +276,20 @@ pub fn workspace_symbols(
         let file = crate::documents::name_of(&path);
         for entry in symbols::declarations(text.as_str()).into_iter().filter(|e| symbols::matches(query, &e.name)) {
             if out.len() == MOST {
-                return out.into();
+                return out;
             }
-            out.push(json!({
-                "name": entry.name, "kind": symbol_kind(entry.sort), "containerName": file,
-                "location": { "uri": uri, "range": text.range(entry.name_range, encoding) },
-            }));
+            let location = Location { uri: uri.clone(), range: text.range(entry.name_range, encoding) };
+            out.push(WorkspaceSymbol {
+                name: entry.name,
+                kind: symbol_kind(entry.sort),
+                tags: None,
+                container_name: Some(file.clone()),
+                location: OneOf::Left(location),
+                data: None,
+            });
         }
     }
-    out.into()
+    out
 }
 
 /// A document by its identifier, where the question has one elsewhere than usual.

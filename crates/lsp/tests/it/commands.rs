@@ -1,7 +1,9 @@
 //! Commands, the scene for a preview, dragging, and what the program becomes.
 
 use crate::client::{Client, at, edited, edits_of, room, usual};
+use scenelang_lsp::{Beside, Setup};
 use serde_json::{Value, json};
+use std::sync::Mutex;
 
 fn run(client: &mut Client, command: &str, argument: Value) -> Value {
     client.ask("workspace/executeCommand", json!({ "command": command, "arguments": [argument] }))
@@ -332,5 +334,57 @@ fn what_a_program_becomes() {
         assert!(text.contains(part), "{form}: {text}");
     }
     assert_eq!(client.refused("scenelang/forms", json!({ "uri": uri, "form": "poem" })).0, -32602);
+    client.stop();
+}
+
+/// What was selected in rooms beside the editor.
+static SELECTED: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+fn show(path: &std::path::Path) -> Result<Beside, String> {
+    let name = path.file_name().unwrap().to_string_lossy().into_owned();
+    let select = Box::new(|what: &str| {
+        SELECTED.lock().unwrap().push(what.to_owned());
+        // The page is closed after a while.
+        what != "stand[1]"
+    });
+    if name == "broken.scene" { Err("nobody shows it".to_owned()) } else { Ok(Beside { address: name, select }) }
+}
+
+#[test]
+fn a_room_beside_follows_the_cursor() {
+    let (folder, scene, _) = room();
+    let silent = Client::silent(folder.path(), Setup { show: Some(show), ..Setup::default() });
+    let mut client = Client::introduced(silent, usual(), Value::Null);
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let place = |marked: &str| json!({ "textDocument": { "uri": uri }, "position": at(&scene, marked) });
+    // Nothing is shown yet.
+    client.ask("textDocument/documentHighlight", place("object |lamp"));
+    // Some editors cannot give a command an argument.
+    let ask = json!({ "command": "scenelang.view" });
+    let answer = client.ask("workspace/executeCommand", ask);
+    assert_eq!(answer["message"], "the room is shown at room.layout.json");
+    client.until("it to be said", |c| {
+        c.told
+            .iter()
+            .any(|m| m["method"] == "window/showMessage" && m["params"]["message"] == answer["message"])
+            .then_some(())
+    });
+    let marks = ["object |bed", "object |lamp", "on(lamp, |stand[0]", "gap(|stand[1]"];
+    for (i, marked) in marks.into_iter().enumerate() {
+        client.ask("textDocument/documentHighlight", place(marked));
+        // It is selected beside the answer; the server gets round to that while it is asked other things.
+        while SELECTED.lock().unwrap().len() <= i {
+            run(&mut client, "scenelang.check", json!({ "uri": uri }));
+        }
+    }
+    // Nobody listens any more.
+    client.ask("textDocument/documentHighlight", place("object |bed"));
+    run(&mut client, "scenelang.check", json!({ "uri": uri }));
+    assert_eq!(*SELECTED.lock().unwrap(), ["bed", "lamp", "stand[0]", "stand[1]"]);
+
+    let broken = client.open("broken.scene", "object sofa;\n");
+    let ask = json!({ "command": "scenelang.view", "arguments": [{ "uri": broken }] });
+    assert_eq!(client.refused("workspace/executeCommand", ask), (-32803, "nobody shows it".to_owned()));
     client.stop();
 }

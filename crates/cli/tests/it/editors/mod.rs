@@ -3,8 +3,10 @@
 #![cfg(unix)]
 
 use crate::support::{read_json, root, run, skip};
+use scenelang_export::preview::has_viewer;
 use serde_json::Value;
 use std::fs;
+use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
@@ -26,6 +28,13 @@ fn home() -> TempDir {
     for file in ["room.scene", "room.layout.json", "parts.scene"] {
         fs::copy(root().join("crates/lsp/tests/it/room").join(file), ws.join(file)).unwrap();
     }
+    // No browser is opened.
+    fs::create_dir(home.path().join("bin")).unwrap();
+    for opener in ["xdg-open", "osascript"] {
+        let file = home.path().join("bin").join(opener);
+        fs::write(&file, "#!/bin/sh\n").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).unwrap();
+    }
     home
 }
 
@@ -33,7 +42,8 @@ fn home() -> TempDir {
 fn editor(program: &str, home: &Path) -> Command {
     let ours = Path::new(env!("CARGO_BIN_EXE_scenelang")).parent().unwrap().to_path_buf();
     let path = std::env::var_os("PATH").unwrap_or_default();
-    let path = std::env::join_paths(std::iter::once(ours).chain(std::env::split_paths(&path))).unwrap();
+    let before = [home.join("bin"), ours];
+    let path = std::env::join_paths(before.into_iter().chain(std::env::split_paths(&path))).unwrap();
     let mut command = Command::new(program);
     command.current_dir(home.join("ws")).env("PATH", path).env("HOME", home).env("SEEN", home.join("seen.json"));
     for (variable, folder) in [("CONFIG", "config"), ("DATA", "data"), ("STATE", "state"), ("CACHE", "cache")] {
@@ -98,9 +108,15 @@ fn neovim() {
     fs::write(home.path().join("init.lua"), block("Neovim", "lua")).unwrap();
     let driver = root().join("crates/cli/tests/it/editors/neovim.lua");
     let mut command = editor("nvim", home.path());
+    if has_viewer() {
+        command.env("VIEWER", "1");
+    }
     command.args(["--headless", "-u", "../init.lua", "-i", "NONE", "-n", "room.scene", "-S"]).arg(driver);
     let ended = run(&mut command, b"");
     is_as_it_should_be(home.path(), &ended.stderr);
+    let shown = &read_json(&home.path().join("seen.json"))["shown"];
+    let is_shown = shown.as_str().is_some_and(|said| said.contains("the room is shown at http://127.0.0.1:"));
+    assert_eq!(is_shown, has_viewer(), "{shown}");
 }
 
 #[test]

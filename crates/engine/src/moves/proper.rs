@@ -1,0 +1,126 @@
+//! Places where people put such a thing beside another: before the middle of a desk, at the sides of a table, next to the
+//! end of a sofa with the backs in line.
+
+use super::flaws::CHAIR;
+use super::search::{Move, MoveSearch};
+use crate::Pose;
+use crate::pose::{half_turn, yaw_towards};
+use scenelang_lang::program::ObjectId;
+use scenelang_layout::Vec3;
+use scenelang_verify::explain::ObjectMove;
+
+/// So many objects that the goals speak of are looked at.
+const RELATED: usize = 6;
+/// Tables so near to these are looked at, too, for seats (metres).
+const TABLES: f64 = 2.0;
+/// Spaces between a seat and its table (metres), of which the first that will do is taken: a chair is pushed up to it, an
+/// armchair leaves room for the knees.
+const BEFORE: [f64; 4] = [0.05, 0.2, 0.3, 0.4];
+const KNEES: [f64; 4] = [0.3, 0.4, 0.2, 0.05];
+/// Spaces between what stands side by side (metres).
+const BESIDE: [f64; 2] = [0.05, 0.2];
+/// What it counts that the backs are not in line, or that a seat stands beside something instead of before a table (metres).
+const SECOND: f64 = 0.5;
+/// What stands higher or lower than this stands on something else (metres).
+const SAME_FLOOR: f64 = 0.3;
+
+impl MoveSearch<'_, '_> {
+    /// What was found in places where such things stand, the smallest move first.
+    pub fn proper(mut self) -> Vec<(f64, ObjectMove)> {
+        let Some(home) = self.stage.home(self.from.object).filter(|_| self.freedom.pos) else { return Vec::new() };
+        let mut out: Vec<(f64, ObjectMove)> = Vec::new();
+        for other in self.companions() {
+            let Some(anchor) = self.stage.pose(other).filter(|a| (a.pos.y - home.pos.y).abs() < SAME_FLOOR) else {
+                continue;
+            };
+            let spots = if self.sits_at(other) {
+                before(&home, &anchor, self.stage.role(other) == "desk")
+            } else {
+                beside(&home, &anchor)
+            };
+            let aside = if !self.sits_at(other) && self.stage.role(self.from.object) == "seat" { SECOND } else { 0.0 };
+            for (more, spots) in spots {
+                // Of places that differ in their space only the first is enough.
+                let found = spots.iter().find_map(|spot| self.reached(&home, spot));
+                out.extend(found.map(|step| (self.cost(&step) + more + aside, step)));
+            }
+        }
+        out.sort_by(|a, b| a.0.total_cmp(&b.0));
+        out
+    }
+
+    /// What it may stand beside: what the goals speak of and, for a seat, the tables there.
+    fn companions(&self) -> Vec<ObjectId> {
+        let mut found = self.stage.spoken_of(&self.goals, self.from.object);
+        found.truncate(RELATED);
+        if self.stage.role(self.from.object) == "seat" {
+            let spoken: Vec<Pose> = found.iter().filter_map(|id| self.stage.pose(*id)).collect();
+            let near = |pose: &Pose| spoken.iter().any(|s| (s.pos - pose.pos).norm() <= TABLES);
+            let objects = self.stage.world().bodies().map(|(id, _)| id);
+            let tables: Vec<ObjectId> = objects
+                .filter(|id| *id != self.from.object && self.sits_at(*id) && !found.contains(id))
+                .filter(|id| self.stage.pose(*id).is_some_and(|pose| near(&pose)))
+                .take(RELATED)
+                .collect();
+            found.extend(tables);
+        }
+        found
+    }
+
+    /// Whether it is a seat, and another object is what one sits at.
+    fn sits_at(&self, other: ObjectId) -> bool {
+        self.stage.role(self.from.object) == "seat" && matches!(self.stage.role(other), "desk" | "table" | "counter")
+    }
+
+    /// The move that brings it to a place, in whole centimetres if that will do, if the goals hold there.
+    fn reached(&mut self, home: &Pose, spot: &Pose) -> Option<ObjectMove> {
+        let turn = half_turn(spot.rot.y - home.rot.y - self.from.turn);
+        if self.spent() || turn != 0.0 && !self.freedom.turn {
+            return None;
+        }
+        let by: [f64; 3] = std::array::from_fn(|i| spot.pos[i] - home.pos[i] - self.from.by[i]);
+        [100.0, 1000.0, 10_000.0].into_iter().find_map(|grid| {
+            let round = |x: f64| (x * grid).round() / grid + 0.0;
+            let m: Move = [round(by[0]), 0.0, round(by[2]), round(turn)];
+            self.holds(&m).then(|| self.step(&m))
+        })
+    }
+}
+
+/// Before the sides of a table, or before the front of a desk, looking at it.
+fn before(seat: &Pose, table: &Pose, desk: bool) -> Vec<(f64, Vec<Pose>)> {
+    let [front, right] = [table.front(), table.right()];
+    let half = table.scale / 2.0;
+    let sides = [(front, half.z), (-front, half.z), (right, half.x), (-right, half.x)];
+    let spaces = if seat.scale.x < CHAIR { BEFORE } else { KNEES };
+    let count = if desk { 1 } else { sides.len() };
+    let spot = |(way, half): (Vec3, f64), space: f64| {
+        let turned = seat.facing(yaw_towards(&-way));
+        Pose { pos: level(table.pos + way * (half + seat.scale.z / 2.0 + space), seat), ..turned }
+    };
+    sides.into_iter().take(count).map(|side| (0.0, spaces.map(|space| spot(side, space)).into())).collect()
+}
+
+/// At either side of another object, the backs in line or the middles; turned as it is, or as that is. With each, what it counts.
+fn beside(own: &Pose, other: &Pose) -> Vec<(f64, Vec<Pose>)> {
+    let [front, right] = [other.front(), other.right()];
+    let mut out = Vec::new();
+    for turned in [*own, own.facing(other.rot.y)] {
+        let [deep, wide] = [front, right].map(|way| turned.reach(&way));
+        for (along, more) in [(deep - other.scale.z / 2.0, 0.0), (0.0, SECOND)] {
+            for side in [right, -right] {
+                let spot = |space: f64| {
+                    let pos = other.pos + side * (other.scale.x / 2.0 + wide + space) + front * along;
+                    Pose { pos: level(pos, own), ..turned }
+                };
+                out.push((more, BESIDE.map(spot).into()));
+            }
+        }
+    }
+    out
+}
+
+/// A place at the height of an object.
+fn level(pos: Vec3, own: &Pose) -> Vec3 {
+    Vec3::new(pos.x, own.pos.y, pos.z)
+}
