@@ -205,7 +205,7 @@ pub(super) fn climbing_wall(a: &Ask) -> BuiltModel {
         for (r, panel) in column.split(1, rows, 0.006).enumerate() {
             m.mesh.board(panel, &shade(&main, if (k + r) % 2 == 0 { 1.0 } else { 0.93 }));
             let front = panel.share(0.06..0.94, 0.06..0.94, 1.0..1.0).z(face.max.z..b.max.z);
-            for row in front.split(1, 3, 0.0) {
+            for row in front.split(1, 2, 0.0) {
                 for spot in row.split(0, 3, 0.0) {
                     let (x, y) = (0.15 + 0.4 * dice.unit(), 0.15 + 0.4 * dice.unit());
                     let hold = spot.share(x..x + 0.3, y..y + 0.28, 0.0..1.0);

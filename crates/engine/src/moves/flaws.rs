@@ -14,8 +14,8 @@ const INTO: f64 = 0.02;
 const ON_FLOOR: f64 = 0.3;
 /// A back that is so near to a wall is at it (metres).
 const AT_WALL: f64 = 0.1;
-/// A lamp or a plant that is farther from all else stands alone in the room (metres).
-const ALONE: f64 = 0.5;
+/// A lamp or a plant that is farther from walls and furniture stands alone in the room (metres).
+const ALONE: f64 = 0.2;
 /// A chair that is so near to a desk belongs to it (metres).
 const BELONGS: f64 = 0.4;
 /// What is narrower is a chair, what is wider a sofa or an armchair (metres).
@@ -28,6 +28,9 @@ const SOFA: f64 = 1.3;
 const TABLE: f64 = 1.2;
 /// What is turned by less than this from the walls of its room is square to them (degrees).
 const SQUARE: f64 = 0.5;
+
+/// Roles of what stands at a wall, in a corner or beside furniture, but never in the middle of a room.
+pub(super) const STANDS_ASIDE: [&str; 3] = ["light", "plant", "decor"];
 
 /// A flaw of where an object stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -201,7 +204,7 @@ impl<'a> Sense<'a> {
         if backed && !beyond(-front, half.z, AT_WALL) && !beside() {
             found.push(Flaw::OffWall(thing.id));
         }
-        if stands && matches!(thing.role, "light" | "plant" | "decor") {
+        if stands && STANDS_ASIDE.contains(&thing.role) {
             let near_wall = wall(center) - half.x.max(half.z) <= ALONE;
             let near = |other: &Thing<'_>| {
                 let furniture = !matches!(other.role, "carpet" | "light" | "plant" | "decor");
@@ -312,9 +315,11 @@ mod tests {
         const TABLE: &str = "table dining-table 0 0 0 1.6 0.74 0.8";
         let mut wrong = Vec::new();
         for (objects, wanted) in [
-            (&["lamp floor-lamp 0.3 -1.7 0 0.3 1.6 0.3", SOFA][..], &["lamp bars sofa"][..]),
+            (&["lamp floor-lamp 0.3 -1.7 0 0.3 1.6 0.3", SOFA][..], &["lamp bars sofa", "alone"][..]),
             (&["lamp floor-lamp 1.2 -2.6 0 0.3 1.6 0.3", SOFA], &[]),
             (&["lamp floor-lamp 0 0 0 0.3 1.6 0.3", SOFA], &["alone"]),
+            (&["plant plant 2.5 0 0 0.4 1 0.4", SOFA], &["alone"]),
+            (&["plant plant 2.7 0 0 0.4 1 0.4", SOFA], &[]),
             // What belongs before a sofa.
             (&["table coffee-table 0 -1.6 0 1 0.42 0.6", SOFA], &[]),
             (&["rug rug 0 -1.6 0 2 0.02 1.4", SOFA], &[]),

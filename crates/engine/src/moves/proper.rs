@@ -1,12 +1,13 @@
-//! Places where people put such a thing beside another: before the middle of a desk, at the sides of a table, next to the
-//! end of a sofa with the backs in line.
+//! Places where people put such a thing: before the middle of a desk, at the sides of a table, next to the end of a sofa with
+//! the backs in line, a plant at a wall.
 
-use super::flaws::CHAIR;
+use super::flaws::{CHAIR, STANDS_ASIDE};
 use super::search::{Move, MoveSearch};
 use crate::Pose;
 use crate::pose::{half_turn, yaw_towards};
 use scenelang_lang::program::ObjectId;
-use scenelang_layout::Vec3;
+use scenelang_layout::{Vec2, Vec3};
+use scenelang_verify::World;
 use scenelang_verify::explain::ObjectMove;
 
 /// So many objects that the goals speak of are looked at.
@@ -44,6 +45,11 @@ impl MoveSearch<'_, '_> {
                 let found = spots.iter().find_map(|spot| self.reached(&home, spot));
                 out.extend(found.map(|step| (self.cost(&step) + more + aside, step)));
             }
+        }
+        if STANDS_ASIDE.contains(&self.stage.role(self.from.object)) {
+            let spots = at_walls(&home, self.stage.world());
+            let found: Vec<ObjectMove> = spots.iter().filter_map(|spot| self.reached(&home, spot)).collect();
+            out.extend(found.into_iter().map(|step| (self.cost(&step), step)));
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
         out
@@ -115,6 +121,30 @@ fn beside(own: &Pose, other: &Pose) -> Vec<(f64, Vec<Pose>)> {
                 };
                 out.push((more, BESIDE.map(spot).into()));
             }
+        }
+    }
+    out
+}
+
+/// At the walls of the room it is in: as near as can be, and in the corners.
+fn at_walls(own: &Pose, world: &World<f64>) -> Vec<Pose> {
+    let here = Vec2::new(own.pos.x, own.pos.z);
+    let outlines = world.prisms().map(|(_, prism)| &prism.polygon).filter(|outline| outline.contains(here));
+    let Some(outline) = outlines.max_by(|a, b| a.area().total_cmp(&b.area())) else { return Vec::new() };
+    let off = own.scale.x.max(own.scale.z) / 2.0 + BESIDE[0];
+    let mut out = Vec::new();
+    for (a, b) in outline.edges() {
+        let long = (b - a).norm();
+        if long < 2.0 * off {
+            continue;
+        }
+        let along = (b - a) / long;
+        let inward = [Vec2::new(-along.y, along.x), Vec2::new(along.y, -along.x)];
+        let nearest = (here - a).dot(&along).clamp(off, long - off);
+        for at in [nearest, off, long - off] {
+            let spots = inward.map(|way| a + along * at + way * off);
+            let inside = spots.into_iter().filter(|spot| outline.contains(*spot));
+            out.extend(inside.map(|spot| Pose { pos: Vec3::new(spot.x, own.pos.y, spot.y), ..*own }));
         }
     }
     out

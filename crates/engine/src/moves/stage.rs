@@ -343,7 +343,8 @@ impl<'a> Stage<'a> {
         seen
     }
 
-    /// How much has become awkward that was not, these objects being the ones moved.
+    /// How much has become awkward that was not, these objects being the ones moved. What is moved and then stands alone in the
+    /// room counts although it did before.
     pub fn new_flaws(&mut self, moved: &[ObjectId]) -> usize {
         self.work += moved.len() * (4 + self.program.objects.len() / 16);
         let now = Sense::new(self.program, self.state.world()).flaws(moved);
@@ -358,7 +359,7 @@ impl<'a> Stage<'a> {
             }
         });
         let before = |flaw: &Flaw| moved.iter().any(|id| self.flaws[id].contains(flaw));
-        now.iter().filter(|flaw| !before(flaw)).count()
+        now.iter().filter(|flaw| matches!(flaw, Flaw::Alone(_)) || !before(flaw)).count()
     }
 
     /// What judging a goal costs, in small comparisons.

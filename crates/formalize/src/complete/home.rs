@@ -35,6 +35,7 @@ pub fn complete(brief: &mut Brief) -> f64 {
         scale *= share(brief, &home);
     } else {
         fold(brief);
+        beside_annex(brief);
         let sized = brief.rooms.iter().any(|room| room.size.iter().any(Option::is_some) || room.corners.is_some());
         let joined = brief.things.iter().any(|thing| thing.beyond.is_some());
         if !sized && !joined {
@@ -193,19 +194,38 @@ fn divide(brief: &mut Brief, at: usize) {
     }
 }
 
+/// "A hotel room with a balcony, a bed and a sofa": what is listed with a second room, and what such a room never has, is in the
+/// first one if such rooms have it.
+fn beside_annex(brief: &mut Brief) {
+    for i in 0..brief.things.len() {
+        let room = brief.things[i].room;
+        let usual = room > 0 && room < brief.rooms.len() && where_such_are(brief, &[0], i).is_some();
+        if usual && is_in_list_with(brief, i) && where_such_are(brief, &[room], i).is_none() {
+            brief.things[i].room = 0;
+        }
+    }
+}
+
 /// "A house with a kitchen, a sofa and a bed": what is listed with a room, and what such a room never has, is in the house.
 fn is_listed_beside(brief: &Brief, home: usize, thing: usize) -> bool {
+    if brief.things[thing].room == home || !is_in_list_with(brief, thing) {
+        return false;
+    }
+    let room = brief.things[thing].room;
+    let others: Vec<usize> = (0..brief.rooms.len()).filter(|other| *other != home && *other != room).collect();
+    where_such_are(brief, &[room], thing).is_none() && where_such_are(brief, &others, thing).is_some()
+}
+
+/// Whether a thing is named after its room in the same list, and nothing says that it is in that room.
+fn is_in_list_with(brief: &Brief, thing: usize) -> bool {
     const OF_ITS_OWN: [&str; 8] = [" with ", " has ", " having ", " in ", " containing ", " including ", " its ", "."];
     let it = &brief.things[thing];
-    if it.room == home || it.part.is_some() || it.opening() {
+    if it.part.is_some() || it.opening() {
         return false;
     }
     let between = brief.rooms[it.room].source.at().end..it.source.at().start;
     let said = brief.request.get(between).map(str::to_lowercase);
-    let is_listed =
-        said.is_some_and(|said| said.starts_with([',', ' ']) && !OF_ITS_OWN.iter().any(|word| said.contains(word)));
-    let others: Vec<usize> = (0..brief.rooms.len()).filter(|room| *room != home && *room != it.room).collect();
-    is_listed && where_such_are(brief, &[it.room], thing).is_none() && where_such_are(brief, &others, thing).is_some()
+    said.is_some_and(|said| said.starts_with([',', ' ']) && !OF_ITS_OWN.iter().any(|word| said.contains(word)))
 }
 
 /// The room whose kind has such a thing.

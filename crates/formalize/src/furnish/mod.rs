@@ -281,8 +281,10 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     let is_sofa = |other: &Thing| {
         other.room == thing.room && other.group == Group::Seat && stand::counts_as("sofa", &other.name())
     };
+    let is_low = thing.name() == "coffee table"
+        || thing.name() == "table" && thing.look.features.iter().any(|feature| feature == "low");
     if plural
-        && matches!(thing.name().as_str(), "low table" | "coffee table")
+        && is_low
         && let Some(sofas) = brief.things.iter().position(is_sofa)
     {
         return Some(brief.count(sofas));

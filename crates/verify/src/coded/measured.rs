@@ -45,7 +45,7 @@ impl Measured {
                 };
                 let frames = [at(0), at(1)];
                 gap([(&things[0], &frames[0], input(1)), (&things[1], &frames[1], input(6))], |upright, aside| {
-                    if upright > 0.0 && aside > 0.0 { upright.hypot(aside) } else { upright.max(aside) }
+                    if upright > 0.0 && aside > 0.0 { length(upright, aside) } else { upright.max(aside) }
                 })
             }
             Self::Clearance(polygon, half) => {
@@ -83,7 +83,7 @@ impl Block {
         let from_axis = |v: &Vec3| (v.x - at.x).hypot(v.z - at.z);
         let radii = part.vertices().iter().map(from_axis);
         let (least, most) = radii.fold((f64::INFINITY, 0.0_f64), |(low, high), r| (low.min(r), high.max(r)));
-        let is_round = part.vertices().len() >= 2 * ROUND && most - least < 1e-6;
+        let is_round = part.vertices().len() >= 2 * ROUND && most > THICK && most - least < 1e-6;
         if is_round { Self { radius: most, is_round, ..block } } else { block }
     }
 
@@ -92,7 +92,7 @@ impl Block {
     fn aside(&self, here: &Flat, other: &Self, there: &Flat, most: f64) -> f64 {
         match (self.is_round, other.is_round) {
             (false, false) => here.gap_below(there, most),
-            (true, true) => (here.at[0] - there.at[0]).hypot(here.at[1] - there.at[1]) - self.radius - other.radius,
+            (true, true) => length(here.at[0] - there.at[0], here.at[1] - there.at[1]) - self.radius - other.radius,
             (true, false) => there.signed_distance(here.at) - self.radius,
             (false, true) => here.signed_distance(there.at) - other.radius,
         }
@@ -107,6 +107,8 @@ impl Block {
 
 /// What is round has at least so many corners, at its bottom and at its top.
 const ROUND: usize = 12;
+/// Around what is thinner a box is good enough (metres from its axis).
+const THICK: f64 = 0.15;
 
 /// What a body is made of, each part as what is around it. A body without parts is one block.
 pub fn blocks(body: &Body) -> Arc<[Block]> {
@@ -163,6 +165,11 @@ pub fn gap(things: [(&[Block], &Flat, f64); 2], between: impl Fn(f64, f64) -> f6
     least
 }
 
+/// The length of a vector of metres. `hypot` takes longer, because it guards against numbers that no room has.
+fn length(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
+}
+
 /// A rectangle on the floor.
 #[derive(Clone, Copy, Debug)]
 pub struct Flat {
@@ -200,7 +207,7 @@ impl Flat {
     fn signed_distance(&self, p: [f64; 2]) -> f64 {
         let [u, v] = self.local(p);
         let (u, v) = (u.abs() - self.half[0], v.abs() - self.half[1]);
-        if u > 0.0 && v > 0.0 { u.hypot(v) } else { u.max(v) }
+        if u > 0.0 && v > 0.0 { length(u, v) } else { u.max(v) }
     }
 
     /// The point so far from it that is nearest to one outside.
@@ -232,7 +239,7 @@ impl Flat {
         }
         if sin == 0.0 || cos == 0.0 {
             // They share their axes.
-            return if a > 0.0 && b > 0.0 { a.hypot(b) } else { apart };
+            return if a > 0.0 && b > 0.0 { length(a, b) } else { apart };
         }
         // Of two convex things apart one shows a corner to the other.
         let from = |a: &Self, b: &Self| b.corners().into_iter().map(|p| a.distance(p)).fold(f64::INFINITY, f64::min);
