@@ -22,6 +22,8 @@ const KNEES: [f64; 4] = [0.3, 0.4, 0.2, 0.05];
 const BESIDE: [f64; 2] = [0.05, 0.2];
 /// What it counts that the backs are not in line, or that a seat stands beside something instead of before a table (metres).
 const SECOND: f64 = 0.5;
+/// What a metre counts of a way to a wall: a plant is carried across a room before a bed is pushed aside.
+const LIGHT: f64 = 0.05;
 /// What stands higher or lower than this stands on something else (metres).
 const SAME_FLOOR: f64 = 0.3;
 
@@ -49,7 +51,7 @@ impl MoveSearch<'_, '_> {
         if STANDS_ASIDE.contains(&self.stage.role(self.from.object)) {
             let spots = at_walls(&home, self.stage.world());
             let found: Vec<ObjectMove> = spots.iter().filter_map(|spot| self.reached(&home, spot)).collect();
-            out.extend(found.into_iter().map(|step| (self.cost(&step), step)));
+            out.extend(found.into_iter().map(|step| (LIGHT * self.cost(&step), step)));
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
         out

@@ -8,6 +8,7 @@ use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
 use super::kinds::{self, Line, PlanPlace, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
+use super::seek::Wall;
 use super::spots::{
     free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from,
 };
@@ -224,7 +225,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == PlanPlace::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
     let is_parked = is_parked(&noun);
-    if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
+    // Who receives visitors turns to the door.
+    let received = it.count == 1 && groups::is_visited(&noun, plan.kind.dress);
+    if !at_wall_like && !aside && !is_parked && !received && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
     // Who waits on a bench or a chair is in nobody's way.
@@ -422,8 +425,15 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         && row.borrow().is_empty()
         && stand::group(&it.category) == Group::Table
         && (is_served || groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat));
+    // So does a counter for looking out that is at no window.
+    let is_dark = noun.starts_with(stand::AT_WINDOW)
+        && plan
+            .place_in_room(&it.name)
+            .and_then(|at| Wall::behind(&at))
+            .is_some_and(|wall| !choice.windows.contains(&wall));
     // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
-    plan.lacking += if placed { usize::from(is_scattered || is_close.get() || is_behind.get()) } else { UNPLACED };
+    plan.lacking +=
+        if placed { usize::from(is_scattered || is_dark || is_close.get() || is_behind.get()) } else { UNPLACED };
     placed
 }
 

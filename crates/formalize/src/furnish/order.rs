@@ -7,6 +7,7 @@ use super::plan::Plan;
 use super::room::{MATTER, tables};
 use super::{hang, stand, tops};
 use crate::brief::Group;
+use crate::draft::DraftThing;
 
 /// What children play on.
 pub(super) const PLAY_MAT: &str = "play_mat";
@@ -79,7 +80,8 @@ impl Order {
     /// The lines of the inventory that come before what is asked for.
     pub fn early(&self, plan: &Plan) -> Vec<&'static Line> {
         // So do shelves along all walls.
-        let is_wall = self.first.iter().any(|at| is_wall_of(plan, *at));
+        let is_stock = |thing: &DraftThing| thing.count > 1 && stand::group(&thing.category) == Group::Storage;
+        let is_wall = self.first.iter().any(|at| is_wall_of(plan, *at) || is_stock(&plan.draft.things[*at]));
         let before_tables = if self.many_tables || self.many_seats || is_wall { MATTER } else { 0 };
         let lines = plan.kind.lines.iter().enumerate();
         let early = lines.filter(|(at, line)| match line.place {

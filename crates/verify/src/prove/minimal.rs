@@ -12,6 +12,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
     Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId,
 };
+use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
 /// So many contradictions are looked for.
@@ -67,8 +68,9 @@ impl<'a> Prover<'a> {
         let known = |i: &usize| findings.contradictions.iter().any(|found| found.statements.contains(i));
         let mut open: Vec<usize> =
             (0..self.program.constraints.len()).filter(|i| self.is_hard(*i) && !known(i)).collect();
-        // Crowded regions by themselves, then everything, again and again without what was found.
+        // Crowded regions and single objects by themselves, then everything, again and again without what was found.
         let mut looks = crowds(&self.common, self.usual, &open);
+        looks.extend(alone(self.program, &open));
         looks.reverse();
         if self.is_too_large(open.iter().copied()) {
             // What has nothing to do with the rest can be looked at by itself.
@@ -422,6 +424,21 @@ fn parts(common: &Common<'_>, among: &[usize]) -> Vec<Vec<usize>> {
     let rest: Vec<usize> = ground.iter().zip(apart).filter(|(_, apart)| *apart).map(|(ground, _)| ground.0).collect();
     parts.extend((!rest.is_empty()).then_some(rest));
     parts
+}
+
+/// What several assertions say of one object and of no other, with what is assigned to it: in a large program that two of them
+/// contradict each other is seen here, before the work is spent on all the rest.
+fn alone(program: &Program, among: &[usize]) -> Vec<Vec<usize>> {
+    let mut of: BTreeMap<u32, (Vec<usize>, usize)> = BTreeMap::new();
+    for &statement in among {
+        let constraint = &program.constraints[statement];
+        if let [object] = constraint.formula.objects()[..] {
+            let (own, asserted) = of.entry(object.0).or_default();
+            own.push(statement);
+            *asserted += usize::from(constraint.kind == ConstraintKind::Assert);
+        }
+    }
+    of.into_values().filter(|(_, asserted)| *asserted > 1).map(|(own, _)| own).collect()
 }
 
 /// Which of the statements that speak of regions only goes with a part: those of the regions that it speaks of, and of

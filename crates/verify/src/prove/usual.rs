@@ -139,6 +139,7 @@ const OTHER: &[&str] = &[
     "book",
     "horse",
     "horseshoe",
+    "barrel",
     "rail",
     "cubby",
     "cubbies",
