@@ -207,7 +207,8 @@ impl<'a> Sense<'a> {
         if stands && STANDS_ASIDE.contains(&thing.role) {
             let near_wall = wall(center) - half.x.max(half.z) <= ALONE;
             let near = |other: &Thing<'_>| {
-                let furniture = !matches!(other.role, "carpet" | "light" | "plant" | "decor");
+                let furniture =
+                    !matches!(other.role, "carpet" | "light" | "plant" | "decor" | "door" | "window" | "curtain");
                 furniture && !obb::apart(other.obb, thing.obb, ALONE)
             };
             if !near_wall && !self.others(thing.id).any(|other| near(&other)) {

@@ -23,7 +23,7 @@ const BESIDE: [f64; 2] = [0.05, 0.2];
 /// What it counts that the backs are not in line, or that a seat stands beside something instead of before a table (metres).
 const SECOND: f64 = 0.5;
 /// What a metre counts of a way to a wall: a plant is carried across a room before a bed is pushed aside.
-const LIGHT: f64 = 0.05;
+const LIGHT: f64 = 0.01;
 /// What stands higher or lower than this stands on something else (metres).
 const SAME_FLOOR: f64 = 0.3;
 
