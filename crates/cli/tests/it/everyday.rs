@@ -52,3 +52,18 @@ fn a_contradiction_is_told_before_the_search() {
         assert!(code != 0 && said.contains("at most 4 fit") && said.contains("unless something is tilted"), "{said}");
     }
 }
+
+/// What is added to a furnished room by hand contradicts itself: the rest of the room does not hide it.
+#[test]
+fn a_contradiction_in_a_furnished_room_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let request = "A dining room with a long table for ten and a sideboard.";
+    let (code, said) = scenelang(&["formalize", request, "-o", "room.scene"], folder.path());
+    assert_eq!(code, 0, "{said}");
+    let file = folder.path().join("room.scene");
+    let text = fs::read_to_string(&file).unwrap();
+    let more = "assert diningTable.rot.y = 0 and diningTable.pos.x > -100;\nassert diningTable.rot.y = 90 and diningTable.pos.x > -90;\n";
+    fs::write(&file, text + more).unwrap();
+    let (code, said) = scenelang(&["check", "room.scene"], folder.path());
+    assert!(code != 0 && said.contains("these 2 statements contradict each other"), "{said}");
+}

@@ -14,7 +14,7 @@ const INTO: f64 = 0.02;
 const ON_FLOOR: f64 = 0.3;
 /// A back that is so near to a wall is at it (metres).
 const AT_WALL: f64 = 0.1;
-/// A lamp or a plant that is farther from walls and furniture stands alone in the room (metres).
+/// A lamp or a plant that is farther from walls, and from furniture that it may stand beside, stands alone (metres).
 const ALONE: f64 = 0.2;
 /// A chair that is so near to a desk belongs to it (metres).
 const BELONGS: f64 = 0.4;
@@ -207,8 +207,8 @@ impl<'a> Sense<'a> {
         if stands && STANDS_ASIDE.contains(&thing.role) {
             let near_wall = wall(center) - half.x.max(half.z) <= ALONE;
             let near = |other: &Thing<'_>| {
-                let furniture =
-                    !matches!(other.role, "carpet" | "light" | "plant" | "decor" | "door" | "window" | "curtain");
+                let furniture = matches!(other.role, "storage" | "appliance" | "bed" | "screen" | "sanitary")
+                    || other.role == "seat" && !other.is_chair();
                 furniture && !obb::apart(other.obb, thing.obb, ALONE)
             };
             if !near_wall && !self.others(thing.id).any(|other| near(&other)) {
