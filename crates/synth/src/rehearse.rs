@@ -132,15 +132,7 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
     let mut last = None;
     let mut grown = vec![0; draft.rooms.len()];
     let (mut spent, mut patience, mut left_out) = (0, 1, 0);
-    let (mut proofs, mut work) = (0, WORK);
-    while proofs < PROOFS && work > 0 && !stop.is_set() {
-        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
-        let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
-        if !give_up_refuted(draft, program, stop, &mut grown, &mut work) {
-            break;
-        }
-        proofs += 1;
-    }
+    prove_first(draft, stop, &mut grown);
     for _ in 0..ROUNDS + PATIENT {
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
@@ -185,6 +177,8 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
             continue;
         }
         if left_out == PATIENT && draft.leave_out_all() {
+            // Of what is left more can be proved with the same work.
+            prove_first(draft, stop, &mut grown);
             left_out += 1;
             last = None;
             continue;
@@ -208,6 +202,7 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
         }
         // The rest of what was added may be in the way where no statement says so.
         if left_out <= PATIENT && draft.leave_out_all() {
+            prove_first(draft, stop, &mut grown);
             left_out = PATIENT + 1;
             last = None;
             continue;
@@ -218,6 +213,21 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
         last = Some(outcome.layout);
     }
     Tried::Spent
+}
+
+/// Gives up what is proved impossible, one proof after the other.
+fn prove_first(draft: &mut Draft, stop: &Stop, grown: &mut [usize]) {
+    for _ in 0..PROOFS {
+        let mut work = WORK;
+        if stop.is_set() {
+            return;
+        }
+        let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
+        let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return };
+        if !give_up_refuted(draft, program, stop, grown, &mut work) {
+            return;
+        }
+    }
 }
 
 /// Gives up what is in the way. Whether there was anything.

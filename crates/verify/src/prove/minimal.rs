@@ -68,9 +68,10 @@ impl<'a> Prover<'a> {
         let known = |i: &usize| findings.contradictions.iter().any(|found| found.statements.contains(i));
         let mut open: Vec<usize> =
             (0..self.program.constraints.len()).filter(|i| self.is_hard(*i) && !known(i)).collect();
-        // Crowded regions and single objects by themselves, then everything, again and again without what was found.
+        // Crowded regions by themselves, then everything, again and again without what was found; single objects last, in case
+        // they were lost among the rest.
         let mut looks = crowds(&self.common, self.usual, &open);
-        looks.extend(alone(self.program, &open));
+        let mut is_last = false;
         looks.reverse();
         if self.is_too_large(open.iter().copied()) {
             // What has nothing to do with the rest can be looked at by itself.
@@ -78,7 +79,8 @@ impl<'a> Prover<'a> {
         }
         while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
             let (among, part, last) = match looks.pop() {
-                Some(crowd) => (crowd, SMALLER, false),
+                Some(few) => (few, SMALLER, false),
+                None if is_last => break,
                 None => (open.clone(), WHOLE, true),
             };
             let fresh = among.iter().all(|s| open.binary_search(s).is_ok());
@@ -87,7 +89,7 @@ impl<'a> Prover<'a> {
                     open.retain(|i| !found.statements.contains(i));
                     findings.contradictions.push(found);
                 }
-                None if last => break,
+                None if last => (looks, is_last) = (alone(self.program, &open), true),
                 None => {}
             }
         }
@@ -426,8 +428,8 @@ fn parts(common: &Common<'_>, among: &[usize]) -> Vec<Vec<usize>> {
     parts
 }
 
-/// What several assertions say of one object and of no other, with what is assigned to it: in a large program that two of them
-/// contradict each other is seen here, before the work is spent on all the rest.
+/// What several assertions say of one object and of no other, with what is assigned to it: in a large program it is seen here
+/// that two of them contradict each other.
 fn alone(program: &Program, among: &[usize]) -> Vec<Vec<usize>> {
     let mut of: BTreeMap<u32, (Vec<usize>, usize)> = BTreeMap::new();
     for &statement in among {
