@@ -225,9 +225,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == PlanPlace::Corner);
     let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
     let is_parked = is_parked(&noun);
-    // Who receives visitors turns to the door.
-    let received = it.count == 1 && groups::is_visited(&noun, plan.kind.dress);
-    if !at_wall_like && !aside && !is_parked && !received && (own_place.is_none() || gated) {
+    if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);
     }
     // Who waits on a bench or a chair is in nobody's way.
@@ -419,22 +417,28 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         keep_there(plan, thing, like, received);
         keep_gaps(plan, thing, size);
     }
-    // Several tables that stand where there is a gap want a larger room, and so do counters that are not side by side.
-    let is_served = like.line.is_some_and(|line| matches!(line.place, PlanPlace::Service(_)));
-    let is_scattered = it.count > 1
-        && row.borrow().is_empty()
-        && stand::group(&it.category) == Group::Table
-        && (is_served || groups::of(&noun, plan.kind.dress).iter().any(|part| stand::group(part.noun) == Group::Seat));
-    // So does a counter for looking out that is at no window.
-    let is_dark = noun.starts_with(stand::AT_WINDOW)
-        && plan
-            .place_in_room(&it.name)
-            .and_then(|at| Wall::behind(&at))
-            .is_some_and(|wall| !choice.windows.contains(&wall));
+    let is_amiss = is_scattered(plan, thing, like, row.borrow().is_empty()) || is_dark(plan, thing, choice.windows);
     // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
-    plan.lacking +=
-        if placed { usize::from(is_scattered || is_dark || is_close.get() || is_behind.get()) } else { UNPLACED };
+    plan.lacking += if placed { usize::from(is_amiss || is_close.get() || is_behind.get()) } else { UNPLACED };
     placed
+}
+
+/// Several tables that stand where there is a gap want a larger room, and so do counters that are not side by side.
+fn is_scattered(plan: &Plan, thing: usize, like: &Like, is_gap: bool) -> bool {
+    let it = &plan.draft.things[thing];
+    let is_served = like.line.is_some_and(|line| matches!(line.place, PlanPlace::Service(_)));
+    let has_seats = || {
+        let parts = groups::of(&it.category.replace('_', " "), plan.kind.dress);
+        parts.iter().any(|part| stand::group(part.noun) == Group::Seat)
+    };
+    it.count > 1 && is_gap && stand::group(&it.category) == Group::Table && (is_served || has_seats())
+}
+
+/// Whether it is a counter for looking out that is at no window.
+fn is_dark(plan: &Plan, thing: usize, windows: &[Wall]) -> bool {
+    let it = &plan.draft.things[thing];
+    it.category.replace('_', " ").starts_with(stand::AT_WINDOW)
+        && plan.place_in_room(&it.name).and_then(|at| Wall::behind(&at)).is_some_and(|wall| !windows.contains(&wall))
 }
 
 /// Two seats, sofas, desks or beds that belong together get their places as one. Whether it is such a pair that has a place.
@@ -541,7 +545,9 @@ fn straighten(plan: &mut Plan, thing: usize) {
         .statements
         .iter()
         .any(|s| TURNING.iter().any(|t| s.text.contains(t)) && subject.iter().any(|n| s.text.contains(n)));
-    if !free || turned || !stand::on_floor(plan.draft, &it) || stand::has_back(&it.category) {
+    // Who receives visitors turns to the door.
+    let received = it.count == 1 && groups::is_visited(&it.category.replace('_', " "), plan.kind.dress);
+    if !free || turned || received || !stand::on_floor(plan.draft, &it) || stand::has_back(&it.category) {
         return;
     }
     let [w, _, d] = plan.draft.rooms[plan.room].size;

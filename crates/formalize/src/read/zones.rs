@@ -97,7 +97,7 @@ fn two_groups(tokens: &mut Vec<Token>, i: usize) {
     const PLACES: [&str; 5] = ["areas", "groups", "corners", "zones", "spaces"];
     let is = |at: usize, any: &[&str]| tokens.get(at).is_some_and(|t| any.iter().any(|word| t.is(word)));
     let end = i + 2 + usize::from(is(i + 1, &PLAIN));
-    let listed = i > 0 && is(i - 1, &LISTS) || i > 0 && matches!(tokens[i - 1].kind, token::WordKind::Sign(','));
+    let listed = i > 0 && (is(i - 1, &LISTS) || matches!(tokens[i - 1].kind, token::WordKind::Sign(',')));
     if listed && is(i, &["two"]) && is(end - 1, &SEATS) && is(end, &PLACES) {
         put(tokens, i, end + 1, &["a", "sofa", "and", "a", "loveseat"]);
     }
