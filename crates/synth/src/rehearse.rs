@@ -21,7 +21,7 @@ use std::path::Path;
 const ROUNDS: usize = 12;
 /// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
 const TRIAL: [u64; 2] = [6_000_000, 400_000];
-/// How often what is proved impossible is given up before the first trial.
+/// How often what is proved impossible is given up before a trial.
 const PROOFS: usize = 24;
 /// How much more a trial from nothing may take once there is a layout.
 const PATIENCE: u64 = 3;

@@ -8,7 +8,6 @@ use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
 use super::kinds::{self, Line, PlanPlace, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
-use super::seek::Wall;
 use super::spots::{
     free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from,
 };
@@ -417,9 +416,9 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         keep_there(plan, thing, like, received);
         keep_gaps(plan, thing, size);
     }
-    let is_amiss = is_scattered(plan, thing, like, row.borrow().is_empty()) || is_dark(plan, thing, choice.windows);
+    let is_scattered = is_scattered(plan, thing, like, row.borrow().is_empty());
     // So does a table whose chairs meet those of a desk, or a sofa that finds a place only behind the counter.
-    plan.lacking += if placed { usize::from(is_amiss || is_close.get() || is_behind.get()) } else { UNPLACED };
+    plan.lacking += if placed { usize::from(is_scattered || is_close.get() || is_behind.get()) } else { UNPLACED };
     placed
 }
 
@@ -432,13 +431,6 @@ fn is_scattered(plan: &Plan, thing: usize, like: &Like, is_gap: bool) -> bool {
         parts.iter().any(|part| stand::group(part.noun) == Group::Seat)
     };
     it.count > 1 && is_gap && stand::group(&it.category) == Group::Table && (is_served || has_seats())
-}
-
-/// Whether it is a counter for looking out that is at no window.
-fn is_dark(plan: &Plan, thing: usize, windows: &[Wall]) -> bool {
-    let it = &plan.draft.things[thing];
-    it.category.replace('_', " ").starts_with(stand::AT_WINDOW)
-        && plan.place_in_room(&it.name).and_then(|at| Wall::behind(&at)).is_some_and(|wall| !windows.contains(&wall))
 }
 
 /// Two seats, sofas, desks or beds that belong together get their places as one. Whether it is such a pair that has a place.

@@ -48,10 +48,9 @@ impl Order {
         let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
         let (mut fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
-        // Who serves has a place before goods take the walls. A wall of books takes the longest wall; a mat to play on lies near
-        // the toys.
+        // A wall of books takes the longest wall; a mat to play on lies near the toys.
         let plays = |at: &usize| plan.draft.things[*at].category == PLAY_MAT;
-        first.sort_by_key(|at| (plays(at), !is_served_at(plan, *at), !is_wall_of(plan, *at)));
+        first.sort_by_key(|at| (plays(at), !is_wall_of(plan, *at)));
         let many = |at: &usize| {
             let thing = &plan.draft.things[*at];
             thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
@@ -79,7 +78,7 @@ impl Order {
 
     /// The lines of the inventory that come before what is asked for.
     pub fn early(&self, plan: &Plan) -> Vec<&'static Line> {
-        // So do shelves along all walls.
+        // So do shelves along all walls; who serves has a place before goods take the walls.
         let is_stock = |thing: &DraftThing| thing.count > 1 && stand::group(&thing.category) == Group::Storage;
         let is_wall = self.first.iter().any(|at| is_wall_of(plan, *at) || is_stock(&plan.draft.things[*at]));
         let before_tables = if self.many_tables || self.many_seats || is_wall { MATTER } else { 0 };
@@ -92,14 +91,6 @@ impl Order {
         });
         early.map(|(_, line)| line).collect()
     }
-}
-
-/// Whether it is the one counter of a shop of which nothing else is said.
-fn is_served_at(plan: &Plan, at: usize) -> bool {
-    let thing = &plan.draft.things[at];
-    let noun = thing.category.replace('_', " ");
-    let is_counter = |line: &Line| matches!(line.place, PlanPlace::Service(_)) && stand::counts_as(line.noun, &noun);
-    thing.count == 1 && !plan.is_placed(at) && plan.kind.lines.iter().any(is_counter)
 }
 
 /// Whether these are so many shelves side by side that they make a wall.
