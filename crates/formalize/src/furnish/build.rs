@@ -17,8 +17,11 @@ const ATTEMPTS: usize = 9;
 const MATS: [&str; 4] = ["exercise mat", "yoga mat", "gym mat", "play mat"];
 /// What is higher stands before no window (metres).
 const TALL: f64 = 1.1;
-/// Behind a chair this much is free to pull it out.
-const PULL: f64 = 0.36;
+/// Behind a chair this much is free to pull it out and sit down, or at least so much where there is less room.
+pub(super) const PULL_OUT: f64 = 0.6;
+const SHORT_PULL_OUT: f64 = 0.36;
+/// How a group is placed, from the best manner to the last: how much is free behind its chairs, and whether ways may be narrower.
+const MANNERS: [(f64, bool); 3] = [(PULL_OUT, false), (SHORT_PULL_OUT, false), (SHORT_PULL_OUT, true)];
 /// Before a seat that belongs to no table this much is free.
 const FEET: f64 = 0.4;
 /// Beyond a table before a sofa this much is free, and so much wider.
@@ -58,6 +61,9 @@ pub struct Building {
     pub seated: Vec<usize>,
     /// Whether there is no floor for seats that belong to it.
     pub is_crowded: bool,
+    /// How much is free behind its chairs, and whether it has any.
+    pull: f64,
+    has_chairs: bool,
     /// Where the elements of each thing are, for one element of the first.
     frames: BTreeMap<usize, Vec<Pose>>,
     /// What each thing but the first is in the table of groups.
@@ -66,8 +72,8 @@ pub struct Building {
 
 impl Building {
     /// With its first thing, whose elements that are placed together are there.
-    fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, skip: &[&'static str]) -> Self {
-        let mut out = Self { skip: skip.to_vec(), ..Self::default() };
+    fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, pull: f64) -> Self {
+        let mut out = Self { pull, ..Self::default() };
         // Who sits alone has room for the feet.
         let sits = stand::group(noun) == crate::brief::Group::Seat && !stand::has_back(noun);
         for frame in &frames {
@@ -189,8 +195,9 @@ impl Building {
             }
             let seat = at.is_around() || matches!(at, Where::Front(..)) && noun.ends_with("chair");
             if seat {
-                let behind = Pose { z: -(size[2] + PULL) / 2.0, y: 0.05, ..Pose::default() };
-                self.shape.free.push((frame.then(&behind), [size[0], 1.0, PULL]));
+                let behind = Pose { z: -(size[2] + self.pull) / 2.0, y: 0.05, ..Pose::default() };
+                self.shape.free.push((frame.then(&behind), [size[0], 1.0, self.pull]));
+                self.has_chairs = true;
             }
         }
         self.frames.insert(new, frames);
@@ -245,6 +252,7 @@ struct Mark {
     walls: f64,
     turn: usize,
     lacking: usize,
+    tight: usize,
     ground: Option<Floor>,
 }
 
@@ -261,9 +269,10 @@ impl Plan<'_> {
             self.surround(thing, root.wall, 0);
             return Some((thing, Vec::new()));
         }
-        let (mut n, mut skip) = (root.n, Vec::new());
-        for _ in 0..ATTEMPTS {
+        let (mut n, mut skip, mut manner) = (root.n, Vec::new(), 0);
+        for _ in 0..2 * ATTEMPTS {
             let before = self.mark();
+            self.pull = MANNERS[manner].0;
             let thing = add(self, n * root.frames.len());
             if let Some(poses) = self.try_group(thing, n, root, &skip) {
                 let mut again = |plan: &mut Self, skip: &[&'static str]| {
@@ -275,7 +284,12 @@ impl Plan<'_> {
                 self.settle();
                 return Some((thing, poses));
             }
-            match self.take_back(before, thing) {
+            let has_chairs = self.has_chairs();
+            let least = self.take_back(before, thing);
+            // First with less room behind the chairs, then with fewer parts.
+            manner = usize::from(manner == 0 && has_chairs);
+            match least {
+                _ if manner > 0 => {}
                 Some(part) if root.whole && self.needs(part) => return None,
                 Some(part) => skip.push(part),
                 None if n > 1 => n -= 1,
@@ -287,10 +301,11 @@ impl Plan<'_> {
 
     /// A thing that is there already gets a place with what goes with it. Whether one was found; else nothing is added.
     pub fn place_asked(&mut self, thing: usize, root: &Root<'_>) -> bool {
-        let mut skip = Vec::new();
-        for attempt in 0..2 * ATTEMPTS {
-            let narrow = attempt % 2 == 1;
+        let (mut skip, mut manner) = (Vec::new(), 0);
+        for _ in 0..MANNERS.len() * ATTEMPTS {
             let before = self.mark();
+            let (pull, narrow) = MANNERS[manner];
+            self.pull = pull;
             self.ground.iter_mut().for_each(|ground| ground.narrow = narrow);
             let placed = self.try_group(thing, root.n, root, &skip).map(|poses| (thing, poses)).map(|found| {
                 let mut again = |plan: &mut Self, skip: &[&'static str]| {
@@ -308,21 +323,27 @@ impl Plan<'_> {
                 self.settle();
                 return true;
             }
-            match self.take_back(before, thing) {
-                // First with narrower ways, then with less.
-                _ if !narrow => {}
-                Some(part) => skip.push(part),
-                None => return false,
-            }
+            let has_chairs = self.has_chairs();
+            let least = self.take_back(before, thing);
+            manner = match (manner, least) {
+                (0, _) if has_chairs => 1,
+                (0 | 1, _) => 2,
+                (_, Some(part)) => {
+                    skip.push(part);
+                    0
+                }
+                (_, None) => return false,
+            };
         }
         false
     }
 
     fn mark(&self) -> Mark {
-        let Self { draft, names, claimed, loads, floor, walls, turn, lacking, ground, .. } = self;
+        let Self { draft, names, claimed, loads, floor, walls, turn, lacking, tight, ground, .. } = self;
         let counts = [draft.things.len(), draft.statements.len(), claimed.len(), loads.len(), draft.places.len()];
         let (names, ground) = (names.clone(), ground.clone());
-        Mark { counts, names, floor: *floor, walls: *walls, turn: *turn, lacking: *lacking, ground }
+        let (floor, walls, turn, lacking, tight) = (*floor, *walls, *turn, *lacking, *tight);
+        Mark { counts, names, floor, walls, turn, lacking, tight, ground }
     }
 
     /// A group has its place without some of its parts, of which the last was in the way: the others come back one by one if
@@ -353,6 +374,11 @@ impl Plan<'_> {
         best
     }
 
+    /// Whether chairs belong to the group that was just tried.
+    fn has_chairs(&self) -> bool {
+        self.building.as_ref().is_some_and(|group| group.has_chairs)
+    }
+
     /// Takes back what was added since for a group that begins with a thing. The part to be left out next.
     fn take_back(&mut self, before: Mark, thing: usize) -> Option<&'static str> {
         let least = self.building.take().and_then(|group| group.least(thing));
@@ -362,7 +388,7 @@ impl Plan<'_> {
         self.claimed.truncate(claimed);
         self.loads.truncate(loads);
         self.draft.places.truncate(places);
-        (self.lacking, self.ground) = (before.lacking, before.ground);
+        (self.lacking, self.tight, self.ground) = (before.lacking, before.tight, before.ground);
         (self.names, self.floor, self.walls, self.turn) = (before.names, before.floor, before.walls, before.turn);
         least
     }
@@ -413,7 +439,8 @@ impl Plan<'_> {
     fn try_group(&mut self, thing: usize, n: usize, root: &Root<'_>, skip: &[&'static str]) -> Option<Vec<Pose>> {
         let it = &self.draft.things[thing];
         let (noun, size) = (it.category.replace('_', " "), it.size?);
-        self.building = Some(Building::new(thing, &noun, size, root.frames.clone(), skip));
+        let building = Building::new(thing, &noun, size, root.frames.clone(), self.pull);
+        self.building = Some(Building { skip: skip.to_vec(), ..building });
         self.surround(thing, root.wall, 0);
         let mut group = self.building.clone()?;
         group.shape.free.extend(root.free.iter().copied());
@@ -427,6 +454,7 @@ impl Plan<'_> {
         self.building = None;
         self.ground = Some(ground);
         self.lacking += usize::from(self.matters && group.is_crowded);
+        self.tight += usize::from(group.has_chairs && self.pull < PULL_OUT);
         self.note_places(&group, &poses);
         Some(poses)
     }

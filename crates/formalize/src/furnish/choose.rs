@@ -49,6 +49,9 @@ const SERVED: [f64; 2] = [2.6, 1.3];
 const BEFORE_SERVED: f64 = 2.4;
 /// What stands on its own has at least so much beside it, where there is a choice (metres).
 const ALONE: f64 = 0.3;
+/// A gap beside a cupboard that is too narrow for anybody and looks like a mistake, and what it costs.
+const DEAD_GAP: [f64; 2] = [0.05, 0.45];
+const GAPING: f64 = 0.3;
 /// A screen is over the head of a bed whose middle is no farther from it along the wall, and into the room (metres).
 const BESIDE_BED: f64 = 1.2;
 const LONG_BED: f64 = 1.8;
@@ -188,6 +191,10 @@ impl Choice<'_> {
         if !stand::lines_up(self.noun) && before.is_empty() {
             cost += (ALONE - floor.room_around(shape, pose)).max(0.0) * 3.0;
         }
+        if stand::lines_up(self.noun) && self.near.is_none() {
+            let gaps = floor.stretch(pose, self.size);
+            cost += gaps.iter().filter(|gap| (DEAD_GAP[0]..DEAD_GAP[1]).contains(*gap)).count() as f64 * GAPING;
+        }
         // Several of a kind stand at one wall, evenly.
         if let Some(last) = before.last() {
             cost += if last.yaw == pose.yaw { -1.2 } else { 0.0 };
@@ -200,8 +207,11 @@ impl Choice<'_> {
 
     /// The best place at a wall.
     pub fn wall(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
-        let places = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * floor.edge).into_iter();
-        seek::best(floor, shape, places, &|pose| self.at_wall(floor, shape, pose, before))
+        let mut places = seek::at_walls(floor.size, shape, self.size[2] + 2.0 * floor.edge);
+        if stand::lines_up(self.noun) {
+            places.extend(seek::beside_others(floor, shape, self.size, &places));
+        }
+        seek::best(floor, shape, places.into_iter(), &|pose| self.at_wall(floor, shape, pose, before))
     }
 
     /// The best place along a wall, its right side to the room.

@@ -60,7 +60,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
         }
         return;
     }
-    if furnished.wants() != (0, 0) {
+    if furnished.wants() != [0; 3] {
         let most = if scale(brief, at) == Scale::Small { GROWN_SMALL } else { GROWN };
         furnished = grow(draft, empty.clone(), (at, most), furnished, &once);
     }
@@ -92,7 +92,7 @@ fn grow(
         if furnished.wants() < best.wants() {
             (best, *draft) = (furnished, larger);
         }
-        if best.wants() == (0, 0) {
+        if best.wants() == [0; 3] {
             break;
         }
     }
@@ -127,6 +127,7 @@ fn shrink(
             .filter(|thing| (is_mat(thing) || stand::on_floor(draft, thing)) && thing.category != "plant");
         let has_all = furnished.lacking <= now.lacking
             && furnished.unreached <= now.unreached
+            && furnished.tight <= now.tight
             && standing.all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));
         if has_all {
             (*now, *draft) = (furnished, smaller);

@@ -1,6 +1,6 @@
 //! A room that is being furnished: what it has, how much of its floor and walls is taken, and how things are added.
 
-use super::build::Building;
+use super::build::{Building, PULL_OUT};
 use super::floor::Floor;
 use super::groups::{self, Along, GroupPart, Where};
 use super::kinds::{FurnishingKind, PlanPlace, seats_all};
@@ -62,6 +62,9 @@ pub struct Plan<'a> {
     pub matters: bool,
     /// See `matters`.
     pub lacking: usize,
+    /// How many groups have little room behind their chairs, and how much the one has that is placed now.
+    pub tight: usize,
+    pub pull: f64,
     /// Whether nothing is added but lights: the room has only what is asked for.
     pub only: bool,
     /// Small things that are asked for and wait for something to stand on.
@@ -124,6 +127,8 @@ impl<'a> Plan<'a> {
             claimed: Vec::new(),
             matters: true,
             lacking: 0,
+            tight: 0,
+            pull: PULL_OUT,
             only: false,
             small: Vec::new(),
             loads: Vec::new(),

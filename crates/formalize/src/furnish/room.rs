@@ -28,12 +28,14 @@ pub struct Furnished {
     pub idle: f64,
     /// How many things there is no way to.
     pub unreached: usize,
+    /// How many groups have little room behind their chairs.
+    pub tight: usize,
 }
 
 impl Furnished {
     /// What a larger room may mend.
-    pub fn wants(&self) -> (usize, usize) {
-        (self.lacking, self.unreached)
+    pub fn wants(&self) -> [usize; 3] {
+        [self.lacking, self.unreached, self.tight]
     }
 }
 
@@ -112,7 +114,7 @@ pub fn furnish_once(
     place_all(&mut plan, asked, crowd, first);
     let idle = plan.ground.as_ref().map_or(0.0, Floor::idle);
     let unreached = plan.ground.as_ref().map_or(0, Floor::unreached);
-    let furnished = Furnished { lacking: plan.lacking, idle, unreached };
+    let furnished = Furnished { lacking: plan.lacking, idle, unreached, tight: plan.tight };
     keep_windows_free(plan.draft, at);
     furnished
 }

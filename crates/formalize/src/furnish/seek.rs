@@ -141,6 +141,27 @@ pub fn at_walls(size: [f64; 3], shape: &Shape, depth: f64) -> Vec<Pose> {
     out
 }
 
+/// Places at the walls that touch what stands beside them there, each less than a step from a place of `places`.
+pub fn beside_others(floor: &Floor, shape: &Shape, of: [f64; 3], places: &[Pose]) -> Vec<Pose> {
+    let [left, right, ..] = reach(shape);
+    let mut out = Vec::new();
+    for at in places {
+        let is_across = (at.yaw / 90.0).round() as i64 % 2 == 0;
+        // How far the group reaches beyond the thing itself, first towards the lower coordinates of the room.
+        let beyond = [left, right].map(|side| side - of[0] / 2.0);
+        let beyond =
+            if matches!(Wall::behind(at), Some(Wall::Left | Wall::Back)) { [beyond[1], beyond[0]] } else { beyond };
+        for ((gap, beyond), sign) in floor.stretch(at, of).into_iter().zip(beyond).zip([-1.0, 1.0]) {
+            let way = gap - beyond - BEHIND;
+            if way > 0.0 && way < STEP {
+                let [dx, dz] = if is_across { [sign * way, 0.0] } else { [0.0, sign * way] };
+                out.push(Pose { x: at.x + dx, z: at.z + dz, ..*at });
+            }
+        }
+    }
+    out
+}
+
 /// Places on the walls at a height.
 pub fn on_walls(size: [f64; 3], shape: &Shape, depth: f64, y: f64) -> Vec<Pose> {
     let mut out = at_walls(size, shape, depth);
