@@ -71,7 +71,7 @@ const CENTRED: [&str; 3] = ["sideboard", "credenza", "fireplace"];
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 /// A stand with a screen, across from a sofa, and what a place for a sofa without one costs.
-const SCREEN: [f64; 3] = [1.4, 0.6, 0.4];
+const SCREEN: [f64; 3] = [1.4, 1.1, 0.4];
 const NO_SCREEN: f64 = 1.2;
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
@@ -199,7 +199,8 @@ impl Choice<'_> {
         if let Some(last) = before.last() {
             cost += if last.yaw == pose.yaw { -1.2 } else { 0.0 };
             let apart = (last.x - pose.x).hypot(last.z - pose.z) - self.size[0];
-            cost += (apart - TOGETHER).abs().min(2.0) * 0.25;
+            let aim = if stand::lines_up(self.noun) { 0.0 } else { TOGETHER };
+            cost += (apart - aim).abs().min(2.0) * 0.25;
         }
         let by_door = if self.is(&LEFT_AT_DOOR) { 0.2 } else { 0.7 };
         Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * by_door)

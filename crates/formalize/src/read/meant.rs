@@ -531,6 +531,22 @@ pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A king size bed", "queen-sized beds": a king bed, queen beds.
+pub(super) fn bed_sizes(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let size = ["king", "queen", "twin", "single", "double"].into_iter().find(|size| {
+        let rest = word(tokens, i).strip_prefix(size);
+        matches!(rest, Some("-size" | "-sized"))
+            || rest == Some("") && matches!(word(tokens, i + 1), "size" | "sized")
+    });
+    let Some(size) = size else { return false };
+    let end = if word(tokens, i) == size { i + 2 } else { i + 1 };
+    if !matches!(word(tokens, end), "bed" | "beds" | "mattress" | "mattresses") {
+        return false;
+    }
+    put(tokens, i, end, &[size]);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{paraphrase, token};

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 46] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 47] = [
             apart,
             together,
             each_other,
@@ -56,6 +56,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::in_building,
             meant::chairs_with_tables,
             meant::practice_rooms,
+            meant::bed_sizes,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i))
             || super::taken_back::plain(tokens, i)
