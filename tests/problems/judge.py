@@ -22,7 +22,7 @@ def boxes_of(facts, layout):
     boxes, wrong = {}, []
     # A door, or an exit, consists of a frame and a leaf, which fill its box. Nothing is said of gaps to it.
     doors = {c["a"] for c in facts["constraints"] if c["kind"] == "connects"}
-    doors |= {thing["id"] for thing in facts["objects"] if thing["id"].startswith("exit")}
+    doors |= {thing["id"] for thing in facts["objects"] if thing["id"].startswith(("entry", "exit"))}
     for thing in facts["objects"]:
         name = thing["id"]
         found = layout.get("objects", {}).get(name)
