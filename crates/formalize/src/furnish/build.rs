@@ -74,6 +74,7 @@ impl Building {
     /// With its first thing, whose elements that are placed together are there.
     fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, pull: f64) -> Self {
         let mut out = Self { pull, ..Self::default() };
+        out.shape.is_lounge = noun.ends_with("sofa") || noun.ends_with("couch") || noun.ends_with("loveseat");
         // Who sits alone has room for the feet.
         let sits = stand::group(noun) == crate::brief::Group::Seat && !stand::has_back(noun);
         for frame in &frames {

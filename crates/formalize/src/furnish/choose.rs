@@ -179,7 +179,7 @@ impl Choice<'_> {
                 cost += (3.6 - deep).max(0.0) + (deep - 4.6).max(0.0) * 0.6;
             } else {
                 // Groups of guests keep to themselves.
-                cost += (APART_FROM_OTHERS - floor.room_around(shape, pose)).max(0.0);
+                cost += 2.0 * (APART_FROM_OTHERS - floor.room_around(shape, pose)).max(0.0);
             }
         } else if self.is(&CENTRED) && before.is_empty() && self.near.is_none() {
             // With a picture above it, it is the middle of its wall.

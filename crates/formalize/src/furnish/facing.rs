@@ -241,7 +241,7 @@ fn table(plan: &mut Plan, first: &str, middle: f64) {
         plan.note_place(&name, &pose);
         let size = plan.draft.things[at].size.unwrap_or_default();
         let piece = Footprint { thing: at, at: Pose::default(), size, flat: false, tall: false };
-        let shape = Shape { pieces: vec![piece], free: Vec::new() };
+        let shape = Shape { pieces: vec![piece], ..Shape::default() };
         plan.ground.iter_mut().for_each(|ground| ground.take(&shape, &pose));
     }
     plan.surround_as(BETWEEN, at, AtWall::No, 2);

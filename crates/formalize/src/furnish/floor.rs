@@ -106,23 +106,29 @@ pub struct Shape {
     pub pieces: Vec<Footprint>,
     /// Boxes that are kept free, in the frame of the group, as place and size.
     pub free: Vec<(Pose, [f64; 3])>,
+    /// Whether it is a sofa with what stands before it: one gets to the sofa between these.
+    pub is_lounge: bool,
 }
 
 /// So many seats around a table hide it: one gets to them.
 const RING: usize = 6;
 
 impl Shape {
-    /// The box around the seats that stand all around the first thing.
+    /// The box around the seats that stand all around the first thing, or around a sofa and what stands before it.
     fn ring(&self, at: &Pose) -> Option<Block> {
         let first = self.pieces.first()?.thing;
-        let seats = |piece: &&Footprint| piece.thing != first && !piece.flat && piece.at.y < LOW;
-        let one = self.pieces.iter().find(seats)?.thing;
-        let own = self.pieces.iter().filter(|piece| piece.thing == one && !piece.flat);
-        let blocks: Vec<Block> = own.map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();
         let around = |a: Block, b: Block| Block {
             low: [0, 1, 2].map(|k| a.low[k].min(b.low[k])),
             high: [0, 1, 2].map(|k| a.high[k].max(b.high[k])),
         };
+        if self.is_lounge {
+            let own = self.pieces.iter().filter(|piece| !piece.flat && piece.at.y < LOW);
+            return own.map(|piece| Block::of(&at.then(&piece.at), piece.size)).reduce(around);
+        }
+        let seats = |piece: &&Footprint| piece.thing != first && !piece.flat && piece.at.y < LOW;
+        let one = self.pieces.iter().find(seats)?.thing;
+        let own = self.pieces.iter().filter(|piece| piece.thing == one && !piece.flat);
+        let blocks: Vec<Block> = own.map(|piece| Block::of(&at.then(&piece.at), piece.size)).collect();
         (blocks.len() >= RING).then(|| blocks.into_iter().reduce(around)).flatten()
     }
 }
@@ -444,7 +450,7 @@ mod tests {
     fn cupboard() -> Shape {
         let piece = Footprint { thing: 0, at: Pose::default(), size: [1.0, 2.0, 0.6], flat: false, tall: true };
         let before = Pose { z: 0.6, ..Pose::default() };
-        Shape { pieces: vec![piece], free: vec![(before, [1.0, 1.8, 0.6])] }
+        Shape { pieces: vec![piece], free: vec![(before, [1.0, 1.8, 0.6])], ..Shape::default() }
     }
 
     #[test]

@@ -119,10 +119,10 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
             let around = Pose { x: (right - left) / 2.0, z: (front - back) / 2.0, ..Pose::default() };
             let cell = [cell_w, size[1].max(0.9), cell_d];
             let piece = Footprint { thing: 0, at: around, size: cell, flat, tall: false };
-            let shape = Shape { pieces: vec![piece], free: Vec::new() };
+            let shape = Shape { pieces: vec![piece], ..Shape::default() };
             let is_free = |at: &Pose| ground.fits(&shape, at);
             let piece = Footprint { size: [cell_w + 2.0 * ROUND, cell[1], cell_d + 2.0 * ROUND], ..piece };
-            let wider = Shape { pieces: vec![piece], free: Vec::new() };
+            let wider = Shape { pieces: vec![piece], ..Shape::default() };
             // Tables with seats at both sides, and groups of desks, move aside together for what stands there already.
             if facing || is_table && back > size[2] / 2.0 + SEATED {
                 places = shifted(&places, &|at| ground.fits(&wider, at));

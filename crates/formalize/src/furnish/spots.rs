@@ -157,7 +157,7 @@ pub(super) fn lanes(
     if before.is_empty() {
         let side_by_side = |lane: f64| {
             let frame = |i: usize| Pose { x: i as f64 * (choice.size[0] + lane), ..Pose::default() };
-            let mut whole = Shape { pieces: Vec::new(), free: Vec::new() };
+            let mut whole = Shape::default();
             for at in (0..n).map(frame) {
                 whole.pieces.extend(shape.pieces.iter().map(|piece| Footprint { at: at.then(&piece.at), ..*piece }));
                 whole.free.extend(shape.free.iter().map(|(pose, size)| (at.then(pose), *size)));

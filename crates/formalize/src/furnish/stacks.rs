@@ -35,7 +35,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) -> bool {
     let found = arrangements(it.count, size).into_iter().find_map(|(block, local)| {
         let piece = Footprint { thing, at: Pose::default(), size: block, flat: false, tall: true };
         let around = [block[0] + 2.0 * AROUND, block[1], block[2] + 2.0 * AROUND];
-        let shape = Shape { pieces: vec![piece], free: vec![(Pose::default(), around)] };
+        let shape = Shape { pieces: vec![piece], free: vec![(Pose::default(), around)], ..Shape::default() };
         let places = seek::on_floor(floor.size, around, &[0.0, 90.0]).into_iter();
         let at = seek::best(&floor, &shape, places, &|at| Some(-floor.away_from_door(at)))?;
         Some(local.iter().map(|shelf| at.then(shelf)).collect::<Vec<_>>())

@@ -535,8 +535,7 @@ pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
 pub(super) fn bed_sizes(tokens: &mut Vec<Token>, i: usize) -> bool {
     let size = ["king", "queen", "twin", "single", "double"].into_iter().find(|size| {
         let rest = word(tokens, i).strip_prefix(size);
-        matches!(rest, Some("-size" | "-sized"))
-            || rest == Some("") && matches!(word(tokens, i + 1), "size" | "sized")
+        matches!(rest, Some("-size" | "-sized")) || rest == Some("") && matches!(word(tokens, i + 1), "size" | "sized")
     });
     let Some(size) = size else { return false };
     let end = if word(tokens, i) == size { i + 2 } else { i + 1 };
