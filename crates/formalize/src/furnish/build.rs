@@ -321,6 +321,8 @@ impl Plan<'_> {
                 let seatless = skip.iter().any(|noun| stand::group(noun) == crate::brief::Group::Seat);
                 let is_table = stand::group(&self.draft.things[thing].category) == crate::brief::Group::Table;
                 self.lacking += if seatless && is_table { SEATLESS } else { 0 };
+                // So do those who cook, at a worktop that is asked for.
+                self.lacking += usize::from(skip.iter().any(|noun| USED.contains(noun)));
                 self.settle();
                 return true;
             }

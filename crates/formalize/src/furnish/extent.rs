@@ -40,7 +40,12 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let area = room.size[0] * room.size[2];
     let usual = brief.rooms.get(at).and_then(|room| room.usual).map_or(area, |[w, _, d]| w * d);
     let counted = if is_free { usual.min(area) } else { area };
-    let once = |draft: &mut Draft| furnish_once(draft, brief, at, closed, (counted, First::Asked));
+    let is_small = scale(brief, at) == Scale::Small;
+    let once = |draft: &mut Draft| {
+        let furnished = furnish_once(draft, brief, at, closed, (counted, First::Asked));
+        // Nobody expects much room behind the chairs of a small room.
+        Furnished { tight: if is_small { 0 } else { furnished.tight }, ..furnished }
+    };
     let empty = draft.clone();
     let mut furnished = once(draft);
     if !is_free {
@@ -61,7 +66,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
         return;
     }
     if furnished.wants() != [0; 3] {
-        let most = if scale(brief, at) == Scale::Small { GROWN_SMALL } else { GROWN };
+        let most = if is_small { GROWN_SMALL } else { GROWN };
         furnished = grow(draft, empty.clone(), (at, most), furnished, &once);
     }
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));

@@ -116,6 +116,7 @@ pub fn furnish_once(
     let unreached = plan.ground.as_ref().map_or(0, Floor::unreached);
     let furnished = Furnished { lacking: plan.lacking, idle, unreached, tight: plan.tight };
     keep_windows_free(plan.draft, at);
+    taste::fitted(draft, at);
     furnished
 }
 

@@ -1,7 +1,7 @@
 //! Materials and colours of what is added.
 
 use super::kinds::FurnishingKind;
-use crate::draft::{Look, Surface};
+use crate::draft::{Draft, DraftThing, Look, Surface, ThingOrigin};
 
 /// What is made of cloth, or stands out by its colour.
 const COLORED: [&str; 22] = [
@@ -128,6 +128,18 @@ pub fn look(kind: &FurnishingKind, noun: &str, turn: usize) -> Look {
 pub fn dressed(kind: &FurnishingKind, category: &str, look: &mut Look) {
     if look.color.is_none() && look.material.is_none() {
         look.material = self::look(kind, &category.replace('_', " "), 0).material;
+    }
+}
+
+/// The units of a kitchen look like the worktop that is asked for.
+pub fn fitted(draft: &mut Draft, at: usize) {
+    const UNITS: [&str; 5] =
+        ["kitchen_counter", "kitchen_base_cabinet", "base_cabinet", "wall_cabinet", "kitchen_sink"];
+    let is_unit = |it: &DraftThing| it.room == Some(at) && UNITS.contains(&it.category.as_str());
+    let is_asked = |it: &&DraftThing| is_unit(it) && matches!(it.source, ThingOrigin::Stated(_));
+    let Some(asked) = draft.things.iter().find(is_asked).map(|it| it.look.clone()) else { return };
+    for it in draft.things.iter_mut().filter(|it| is_unit(it) && !matches!(it.source, ThingOrigin::Stated(_))) {
+        (it.look.color, it.look.material) = (asked.color.clone(), asked.material.clone());
     }
 }
 

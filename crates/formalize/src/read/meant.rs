@@ -1,6 +1,6 @@
 //! What people mean who name a thing by its use or as a whole: a wall of books is bookshelves, an audience is its seats.
 
-use super::lexicon::plural;
+use super::lexicon::{get, plural};
 use super::number;
 use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
@@ -531,15 +531,37 @@ pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A king size bed", "queen-sized beds": a king bed, queen beds.
+/// The most words between a number and what it counts.
+const LOOKS: usize = 3;
+
+/// "A kitchen with white cabinets": its units are white, worktop and wall cabinets alike.
+pub(super) fn kitchen_units(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let noun = i + usize::from(word(tokens, i) == "kitchen");
+    if !matches!(word(tokens, noun), "cabinets" | "cupboards" | "units" | "cabinetry" | "counters" | "worktops")
+        || i == 0
+        || !get().is_look(word(tokens, i - 1))
+    {
+        return false;
+    }
+    // So many cabinets are single ones.
+    let is_counted = (i.saturating_sub(LOOKS)..i).any(|k| number::count(&tokens[k..]).is_some());
+    if is_counted || !tokens[..i].iter().any(|t| t.is("kitchen")) {
+        return false;
+    }
+    put(tokens, i, noun + 1, &["kitchen", "counter"]);
+    true
+}
+
+/// "A king size bed", "queen-sized beds": a king-size bed, queen-size beds.
 pub(super) fn bed_sizes(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let size = ["king", "queen", "twin", "single", "double"].into_iter().find(|size| {
-        let rest = word(tokens, i).strip_prefix(size);
-        matches!(rest, Some("-size" | "-sized")) || rest == Some("") && matches!(word(tokens, i + 1), "size" | "sized")
-    });
-    let Some(size) = size else { return false };
-    let end = if word(tokens, i) == size { i + 2 } else { i + 1 };
-    if !matches!(word(tokens, end), "bed" | "beds" | "mattress" | "mattresses") {
+    let (size, end) = match (word(tokens, i), word(tokens, i + 1)) {
+        ("king-sized", _) => ("king-size", i + 1),
+        ("queen-sized", _) => ("queen-size", i + 1),
+        ("king", "size" | "sized") => ("king-size", i + 2),
+        ("queen", "size" | "sized") => ("queen-size", i + 2),
+        _ => return false,
+    };
+    if !matches!(word(tokens, end), "bed" | "beds") {
         return false;
     }
     put(tokens, i, end, &[size]);
