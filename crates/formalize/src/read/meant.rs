@@ -552,6 +552,25 @@ pub(super) fn kitchen_units(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A restaurant with a wine bar": the bar is a counter in it, not another room.
+pub(super) fn bar_of_restaurant(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let counter = match word(tokens, i) {
+        "wine" | "cocktail" | "tapas" | "oyster" | "beer" | "whisky" => "bar",
+        "sushi" => "sushi",
+        _ => return false,
+    };
+    let is_part = i > 1 && matches!(word(tokens, i - 2), "with" | "and" | "has");
+    let serves = |t: &Token| {
+        let found = kinds::of(&t.text);
+        t.word() && found.is_some_and(|kind| matches!(kind.dress, "food" | "pizza" | "wine"))
+    };
+    if word(tokens, i + 1) != "bar" || !is_part || !tokens[..i - 2].iter().any(serves) {
+        return false;
+    }
+    put(tokens, i, i + 2, &[counter, "counter"]);
+    true
+}
+
 /// "A king size bed", "queen-sized beds": a king-size bed, queen-size beds.
 pub(super) fn bed_sizes(tokens: &mut Vec<Token>, i: usize) -> bool {
     let (size, end) = match (word(tokens, i), word(tokens, i + 1)) {
