@@ -571,6 +571,16 @@ pub(super) fn bar_of_restaurant(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A bank with three counters": a branch of a bank; a bank of lockers is a row of them.
+pub(super) fn bank(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let goes_on = matches!(word(tokens, i + 1), "with" | "for") || ends(tokens, i + 1);
+    if i > 2 || word(tokens, i) != "bank" || !goes_on {
+        return false;
+    }
+    put(tokens, i, i + 1, &["bank", "branch"]);
+    true
+}
+
 /// "A king size bed", "queen-sized beds": a king-size bed, queen-size beds.
 pub(super) fn bed_sizes(tokens: &mut Vec<Token>, i: usize) -> bool {
     let (size, end) = match (word(tokens, i), word(tokens, i + 1)) {

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 49] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 50] = [
             apart,
             together,
             each_other,
@@ -59,6 +59,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::bed_sizes,
             meant::kitchen_units,
             meant::bar_of_restaurant,
+            meant::bank,
         ];
         let _turned = turns.iter().any(|turn| turn(tokens, i))
             || super::taken_back::plain(tokens, i)

@@ -177,8 +177,19 @@ fn sentence_of(chunks: &[Chunk], tokens: &[Token], at: Range<usize>, out: &mut L
 /// of a restaurant.
 fn is_annex(of: &str, room: &str) -> bool {
     const STORES: [&str; 5] = ["storeroom", "store room", "stockroom", "stock room", "storage room"];
+    /// What shops, libraries, gyms and the like have next door for their guests.
+    const GUESTS: [&str; 9] =
+        ["bakery", "cafe", "coffee shop", "gift shop", "massage room", "nail salon", "sauna", "steam room", "workshop"];
     let kind = |name: &str| get().room(name).map_or("", |kind| kind.name);
-    let furnished = crate::furnish::kinds::of(of).map_or("", |kind| kind.name);
+    let of_kind = crate::furnish::kinds::of(of);
+    let furnished = of_kind.map_or("", |kind| kind.name);
+    // What has no dress is furnished as at home, but for these.
+    let is_public = of_kind
+        .is_some_and(|kind| !kind.dress.is_empty() || matches!(kind.name, "furniture store" | "gallery" | "museum"));
+    if is_public && GUESTS.contains(&room) && crate::furnish::kinds::of(room).is_some_and(|kind| kind.name != furnished)
+    {
+        return true;
+    }
     match furnished {
         "treatment room" | "veterinary clinic" | "dental surgery" | "spa" | "tattoo studio" | "hair salon" => {
             return matches!(room, "waiting room" | "reception room") || STORES.contains(&room);
