@@ -352,7 +352,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let is_across = says(&format!("{}.rot.y = 90", it.name)) || says(&format!("forall a in {}: a.rot.y = 90", it.name));
     let yaws: &[f64] = match is_across {
         true => &[90.0],
-        false if it.category.ends_with("island") => &turn,
+        false if is_island(&it.category) => &turn,
         false if groups::is_visited(&noun, plan.kind.dress) => &[0.0, 90.0, 180.0, 270.0],
         false => &[0.0],
     };
@@ -492,7 +492,7 @@ fn keep_gaps(plan: &mut Plan, thing: usize, [width, height, depth]: [f64; 3]) {
 fn stands_near(plan: &Plan, it: &DraftThing, like: &Like) -> Option<Pose> {
     at_window(plan, &it.name).or_else(|| match it.category.as_str() {
         order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
-        category if category.ends_with("island") => near_to(plan, COUNTER),
+        category if is_island(category) => near_to(plan, COUNTER),
         _ => near_to(plan, like.by),
     })
 }
@@ -505,6 +505,11 @@ fn at_window(plan: &Plan, name: &str) -> Option<Pose> {
         plan.draft.statements.iter().any(|s| s.text.starts_with(&said))
     };
     windows.filter(|o| is_near(&o.name)).find_map(|o| plan.place_in_room(&o.name))
+}
+
+/// Whether people sit at it and look at the worktops of a kitchen.
+pub(super) fn is_island(category: &str) -> bool {
+    category.ends_with("island") || category.ends_with("breakfast_bar") || category.ends_with("breakfast bar")
 }
 
 /// How an island is turned: who sits there has the kitchen before the eyes.
@@ -549,7 +554,7 @@ fn straighten(plan: &mut Plan, thing: usize) {
         // Its open side is towards the screen.
         _ if groups::is_open_to_front(&it.category.replace('_', " "), plan.kind.dress) => "0",
         // Who sits at an island has the kitchen before the eyes.
-        _ if it.category.ends_with("island") => match island_turn(plan) {
+        _ if is_island(&it.category) => match island_turn(plan) {
             0.0 => "0",
             90.0 => "90",
             270.0 => "270",

@@ -29,6 +29,8 @@ const PASS: f64 = 0.5;
 const ASIDE: f64 = 0.4;
 /// What one works at from all sides, and how much is free there.
 const WORKED_AROUND: [(&str, f64); 2] = [("table saw", 0.8), ("work table", 0.6)];
+/// Beside a sofa this much is free of what does not belong to it.
+const BESIDE_SOFA: f64 = 0.16;
 /// Beside a fireplace this much is free.
 const HEARTH: f64 = 0.4;
 /// Behind the belt of a treadmill this much is free.
@@ -48,6 +50,10 @@ const USED: [&str; 5] = ["kitchen sink", "stove", "fridge", "sink", "nightstand"
 /// Whether a group is not complete without a part.
 fn matters(part: &str) -> bool {
     USED.contains(&part) || stand::group(part) == crate::brief::Group::Seat
+}
+
+fn is_sofa(noun: &str) -> bool {
+    ["sofa", "couch", "loveseat", "sectional"].iter().any(|end| noun.ends_with(end))
 }
 
 /// A group that is being put together.
@@ -74,7 +80,7 @@ impl Building {
     /// With its first thing, whose elements that are placed together are there.
     fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, pull: f64) -> Self {
         let mut out = Self { pull, ..Self::default() };
-        out.shape.is_lounge = noun.ends_with("sofa") || noun.ends_with("couch") || noun.ends_with("loveseat");
+        out.shape.is_lounge = is_sofa(noun);
         // Who sits alone has room for the feet.
         let sits = stand::group(noun) == crate::brief::Group::Seat && !stand::has_back(noun);
         for frame in &frames {
@@ -113,6 +119,11 @@ impl Building {
         if let Some((_, beside)) = TRAINED.iter().find(|(end, _)| noun.ends_with(end)) {
             for side in [-1.0, 1.0] {
                 keep(side * (w + beside) / 2.0, 0.0, [*beside, 1.2, d]);
+            }
+        }
+        if is_sofa(noun) {
+            for side in [-1.0, 1.0] {
+                keep(side * (w + BESIDE_SOFA) / 2.0, 0.0, [BESIDE_SOFA, 1.0, d]);
             }
         }
         if noun.ends_with("fireplace") {

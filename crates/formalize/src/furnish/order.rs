@@ -1,6 +1,7 @@
 //! In which order what is asked for gets its place: what hangs at a place of its own, what stands on its own, what goes with
 //! something of the inventory, and last what stands on things.
 
+use super::asked::is_island;
 use super::inventory::{TEAM, has_seats};
 use super::kinds::{Count, Line, PlanPlace};
 use super::plan::Plan;
@@ -71,7 +72,7 @@ impl Order {
         } else {
             later.extend(with_asked)
         }
-        later.sort_by_key(|at| !plan.draft.things[*at].category.ends_with("island"));
+        later.sort_by_key(|at| !is_island(&plan.draft.things[*at].category));
         later.extend(fires);
         Self { boards, first, later, hung, waiting, small, many_tables, many_seats }
     }
@@ -113,5 +114,5 @@ fn is_later(plan: &Plan, at: usize) -> bool {
         matches!(line.place, PlanPlace::Opposite(_)) && stand::counts_as(line.noun, &noun) && !plan.is_placed(at)
     });
     // An island stands before the worktops.
-    is_watched || at_walls && noun.ends_with("island") || (at_walls || at_desks) && has_seats(plan, &noun)
+    is_watched || at_walls && is_island(&noun) || (at_walls || at_desks) && has_seats(plan, &noun)
 }

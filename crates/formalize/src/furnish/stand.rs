@@ -69,10 +69,12 @@ pub fn is_easy(chair: &str) -> bool {
 }
 
 /// What guests use, beside seats: it does not stand behind the counter of those who serve them.
-const GUESTS: [&str; 26] = [
+const GUESTS: [&str; 28] = [
     "arcade machine",
     "atm",
     "bistro table",
+    "bookcase",
+    "bookshelf",
     "booth",
     "brochure rack",
     "cafe table",

@@ -64,20 +64,24 @@ pub fn carry(plan: &mut Plan, at: usize) -> bool {
 pub fn carry_on_new(plan: &mut Plan, at: usize) -> bool {
     let thing = plan.draft.things[at].clone();
     let (noun, Some(own)) = (thing.category.replace('_', " "), thing.size) else { return false };
-    let fits = |size: [f64; 3]| own[0] * thing.count as f64 <= size[0] && own[2] <= size[2] && size[1] <= HIGHEST;
+    let fits = |size: [f64; 3], n: usize| own[0] * n as f64 <= size[0] && own[2] <= size[2] && size[1] <= HIGHEST;
     let stands = |noun: &str| matches!(stand::group(noun), Group::Table | Group::Storage);
-    let wanted = carriers(&noun).iter().find(|on| stands(on) && !plan.is_closed(on) && fits(Plan::size(on)));
-    let Some(carrier) = wanted else { return false };
+    let wanted =
+        |n: usize| carriers(&noun).iter().find(|on| stands(on) && !plan.is_closed(on) && fits(Plan::size(on), n));
+    // All on one, or each on its own.
+    let all = wanted(thing.count).map(|carrier| (carrier, 1));
+    let Some((carrier, n)) = all.or_else(|| Some((wanted(1)?, thing.count))) else { return false };
     let before = plan.draft.things.len();
+    plan.matters = true;
     let line = Line {
-        count: Count::Fixed(1),
+        count: Count::Fixed(n),
         noun: carrier,
         place: PlanPlace::Wall,
         least: 0.0,
         gap: 0.0,
         by: Default::default(),
     };
-    single(plan, &line, 1, &format!("{} stands on {}", a(&noun), a(carrier)));
+    single(plan, &line, n, &format!("{} stands on {}", a(&noun), a(carrier)));
     plan.draft.things.len() > before && carry(plan, at)
 }
 
