@@ -32,6 +32,8 @@ const SINK: &str = "kitchen sink";
 const WINDOW_SINK: &str = "window sink";
 /// A table in a restaurant that is shorter is for two (metres).
 const FOR_FOUR: f64 = 1.1;
+/// A table that is shorter has no more than four chairs, if nobody says how many (metres).
+const FOR_SIX: f64 = 1.3;
 const RESTAURANT_TABLE: &str = "restaurant table";
 const SMALL_RESTAURANT_TABLE: &str = "small restaurant table";
 
@@ -367,7 +369,9 @@ impl<'a> Plan<'a> {
         // One bin serves several desks, one easy chair several cribs, one basket and one dryer for several washing machines.
         let for_all = stand::is_easy(noun) || matches!(noun, "bin" | "laundry basket" | "dryer");
         let shared = for_all && anchors > 1;
-        if left_out || self.is_closed(noun) || self.is_full() && !seat || shared {
+        // Goods are shown on tables, however many lie on the shelves.
+        let is_shown = category.ends_with("display_table");
+        if left_out || self.is_closed(noun) || self.is_full() && !seat && !is_shown || shared {
             return;
         }
         let (mut own, at) = self.fitted(thing, part, of);
@@ -447,6 +451,8 @@ impl<'a> Plan<'a> {
             (Where::Above(..), _) => own[0] = own[0].min(of[0]),
             (Where::Under(wider, deeper, _), _) => own = [of[0] + *wider, 0.012, of[2] + *deeper],
             (Where::Around(n, _), Some(each)) => *n = each.min(capacity(of, own, round)),
+            // Nobody sits at the ends of a short table unless they have to.
+            (Where::Around(n, _), None) if !round && of[0].max(of[2]) < FOR_SIX => *n = (*n).min(4),
             // Nobody sits at the ends.
             (Where::LongSides(n, _), Some(each)) => {
                 let sides = if round { of } else { [of[0].max(of[2]), of[1], 0.0] };
