@@ -581,13 +581,14 @@ pub(super) fn bank(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A king size bed", "queen-sized beds": a king-size bed, queen-size beds.
+/// "A king size bed": a king-size bed.
 pub(super) fn bed_sizes(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let (size, end) = match (word(tokens, i), word(tokens, i + 1)) {
-        ("king-sized", _) => ("king-size", i + 1),
-        ("queen-sized", _) => ("queen-size", i + 1),
-        ("king", "size" | "sized") => ("king-size", i + 2),
-        ("queen", "size" | "sized") => ("queen-size", i + 2),
+    let end = i + 2;
+    let size = match (word(tokens, i), word(tokens, i + 1)) {
+        ("king", "size") => "king-size",
+        ("king", "sized") => "king-sized",
+        ("queen", "size") => "queen-size",
+        ("queen", "sized") => "queen-sized",
         _ => return false,
     };
     if !matches!(word(tokens, end), "bed" | "beds") {

@@ -63,7 +63,8 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         WordKind::Word => small(&t.text),
         _ => None,
     };
-    let mut value = single(tokens.first()?)?;
+    // "a hundred" is one hundred.
+    let mut value = if text(0) == "a" && text(1) == "hundred" { 1.0 } else { single(tokens.first()?)? };
     let mut used = 1;
     // "twenty four", "one hundred and twenty"
     if tokens[0].word()
@@ -235,6 +236,8 @@ mod tests {
             ("two or three plants", 2.0),
             ("thirty two", 32.0),
             ("twenty-four desks", 24.0),
+            ("a hundred seats", 100.0),
+            ("a hundred and twenty chairs", 120.0),
             ("half a dozen", 6.0),
         ] {
             assert_eq!(count(&tokens(text, 100).0).map(|c| c.0), Some(want), "{text}");
