@@ -22,7 +22,7 @@ impl Scan<'_> {
 
     fn number(&mut self) -> Option<usize> {
         // "a dozen", "a pair of" begin with their article.
-        let pair = |i: usize| matches!(self.text(i), "dozen" | "pair" | "couple" | "trio");
+        let pair = |i: usize| matches!(self.text(i), "dozen" | "hundred" | "pair" | "couple" | "trio");
         let with_article =
             self.article && number::count(self.from(self.used - 1)).is_some_and(|(_, n)| n > 1 && pair(self.used));
         let from = if with_article { self.used - 1 } else { self.used };
