@@ -239,8 +239,8 @@ predicate tall(Object thing) := thing.top > space;
 #[test]
 fn names_that_are_taken() {
     let folder = |marked: &str| {
-        let text = "=== parts.scene\nobject shelf;\n=== room.scene\nimport \"parts.scene\";\nobject bed;\nassert near(bed, shelf, 1);\n\
-                    === attic.scene\nimport \"parts.scene\";\nassert shelf.top < 2;\n=== other.scene\nobject cot;\n";
+        let text = "=== parts.scene\nobject shelf;\n=== room.scene\nimport \"parts.scene\";\nobject bed;\n\
+                    assert near(bed, shelf, 1);\n=== attic.scene\nimport \"parts.scene\";\nassert shelf.top < 2;\n=== other.scene\nobject cot;\n";
         let plain = marked.replacen("$0", "", 1);
         assert_eq!(text.matches(&plain).count(), 1, "{plain} is once in the files");
         Folder::new(&text.replacen(&plain, marked, 1))
