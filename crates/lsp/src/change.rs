@@ -106,7 +106,7 @@ impl WorkspaceChange {
     }
 
     /// Has the client ask before it makes the change, if that says what it does.
-    pub fn to_confirm(&mut self) {
+    pub fn ask_first(&mut self) {
         let annotations = self.change_annotations.iter_mut().flat_map(BTreeMap::values_mut);
         annotations.for_each(|annotation| annotation.needs_confirmation = Some(true));
     }

@@ -119,7 +119,7 @@ impl Job {
         if let Some(LayoutEdit { uri, text, old: Some(old), .. }) = layout
             && let Some((place, text)) = scenelang_ide::format::difference(old.as_str(), text)
         {
-            let change = TextChange::new(old.range(place, encoding), text.to_owned());
+            let change = TextChange::new(old.range(place, encoding), text);
             by_file.entry(uri.as_str().to_owned()).or_default().push(change);
         }
         if by_file.is_empty() {

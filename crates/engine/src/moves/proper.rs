@@ -98,7 +98,7 @@ impl MoveSearch<'_, '_> {
         let (own, world) = (self.from.object, self.stage.world());
         let (Some(now), Ok(thing)) = (self.stage.pose(own), world.object(own)) else { return false };
         let obb = &thing.body.obb;
-        let there = Obb { center: obb.center + spot.pos - now.pos, ..obb.clone() };
+        let there = Obb { center: obb.center + spot.pos - now.pos, ..*obb };
         world.bodies().all(|(id, _)| {
             let other = world.object(id).map(|thing| &thing.body.obb);
             id == own || other.is_ok_and(|other| obb::apart(other, &there, -OVERLAP))

@@ -271,7 +271,7 @@ impl State {
         let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::JobOutcome| {
             // An action that does nothing when it is chosen looks like one that failed without a word.
             let Some(mut edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
-            edit.to_confirm();
+            edit.ask_first();
             state.tell("window/logMessage", LogMessageParams { typ: MessageType::INFO, message: outcome.message });
             let completed = sent(edit).map(|edit| {
                 action["edit"] = edit;
