@@ -6,21 +6,39 @@ use crate::jobs::Job;
 use crate::picture::Picture;
 use scenelang_layout::file as layout_file;
 use scenelang_synth::{Arranging, arrange, too_large};
-use serde_json::{Value, json};
+use serde::Serialize;
 
 /// So many are made.
 const COUNT: u64 = 4;
 
-/// Layouts of the seeds from `first`, those in which most holds first: `{seed, holds, total, plan}`.
+/// What `scenelang.alternatives` answers.
+#[derive(Serialize)]
+pub struct Alternatives {
+    /// Those in which most holds first.
+    alternatives: Vec<Alternative>,
+}
+
+#[derive(Serialize)]
+struct Alternative {
+    /// With it, `scenelang.solveAnew` finds the layout again.
+    seed: u64,
+    /// How many constraints hold, of how many.
+    holds: usize,
+    total: usize,
+    /// An SVG image; null: a part of the room cannot be drawn.
+    plan: Option<String>,
+}
+
+/// Layouts of the seeds from `first`.
 ///
 /// # Errors
 /// The program is too large, or nobody waits any more.
-pub fn alternatives(job: &Job, first: u64) -> Result<Value, Fault> {
+pub fn alternatives(job: &Job, first: u64) -> Result<Alternatives, Fault> {
     let program = &job.compiled.program;
     if let Some(finding) = too_large(program) {
         return Err(Fault::Failed(finding.message));
     }
-    let mut found: Vec<(usize, Value)> = Vec::new();
+    let mut found: Vec<Alternative> = Vec::new();
     for i in 0..COUNT {
         job.progress.say(&format!("layout {} of {COUNT}", i + 1));
         let seed = first.wrapping_add(i);
@@ -43,8 +61,8 @@ pub fn alternatives(job: &Job, first: u64) -> Result<Value, Fault> {
             looks: &job.looks,
         };
         let plan = picture.plan()?;
-        found.push((total - holds, json!({ "seed": seed, "holds": holds, "total": total, "plan": plan })));
+        found.push(Alternative { seed, holds, total, plan });
     }
-    found.sort_by_key(|(open, _)| *open);
-    Ok(json!({ "alternatives": found.into_iter().map(|(_, one)| one).collect::<Vec<_>>() }))
+    found.sort_by_key(|one| one.total - one.holds);
+    Ok(Alternatives { alternatives: found })
 }

@@ -1,13 +1,13 @@
 //! A room in a browser beside an editor that has no panel for it: who shows it, and what is selected there as the cursor
 //! moves. The protocol has no cursor, but editors ask about the place where it is.
 
-use crate::dispatch::{Fault, params};
+use crate::dispatch::{Fault, params, sent};
 use crate::state::{Event, State, guarded};
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::path::Path;
 use tower_lsp::jsonrpc::Id;
-use tower_lsp::ls_types::{Position, Uri};
+use tower_lsp::ls_types::{MessageType, Position, ShowMessageParams, Uri};
 
 /// Shows the room of a program or a layout.
 pub type Show = fn(&Path) -> Result<Beside, String>;
@@ -18,6 +18,13 @@ pub struct Beside {
     pub address: String,
     /// Selects an object by name, or a row of the report by its id; false: nobody shows the room any more.
     pub select: Box<dyn FnMut(&str) -> bool + Send>,
+}
+
+/// What `scenelang.view` answers.
+#[derive(Serialize)]
+struct Viewed {
+    /// Where the room is shown, in a sentence.
+    message: String,
 }
 
 #[derive(Deserialize)]
@@ -56,12 +63,13 @@ impl State {
         std::thread::spawn(move || {
             let shown = show(&path).map_err(Fault::Failed);
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
-                let answer = shown.map(|shown| {
+                let answer = shown.and_then(|shown| {
                     let message = format!("the room is shown at {}", shown.address);
                     state.beside.insert(uri, shown);
                     // Not every editor shows what a command answers.
-                    state.tell("window/showMessage", json!({ "type": 3, "message": message }));
-                    json!({ "message": message })
+                    let told = ShowMessageParams { typ: MessageType::INFO, message: message.clone() };
+                    state.tell("window/showMessage", told);
+                    sent(Viewed { message })
                 });
                 state.reply(&id, answer);
             })));

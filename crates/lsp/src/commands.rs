@@ -1,7 +1,7 @@
 //! Commands: check, solve, repair. What they do to a layout is an edit that the editor makes, and can undo.
 
-use crate::alternatives::alternatives;
-use crate::dispatch::{Fault, params};
+use crate::alternatives::{Alternatives, alternatives};
+use crate::dispatch::{Fault, params, sent};
 use crate::jobs::{Job, JobOutcome};
 use crate::repair::{self, Wanted};
 use crate::state::State;
@@ -10,10 +10,10 @@ use scenelang_layout::Layout;
 use scenelang_solve::Phase;
 use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange, too_large};
 use scenelang_verify::CheckVerdict;
-use serde::Deserialize;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use tower_lsp::jsonrpc::Id;
-use tower_lsp::ls_types::Uri;
+use tower_lsp::ls_types::{Command, Uri};
 
 /// All commands of the server.
 pub const ALL: [&str; 8] = [
@@ -89,7 +89,7 @@ impl State {
             ),
             "scenelang.alternatives" => {
                 let list = move |job: &Job| alternatives(job, seed.unwrap_or(1));
-                let answer = Box::new(|state: &mut State, id: &Id, found: Value| state.reply(id, Ok(found)));
+                let answer = Box::new(|state: &mut State, id: &Id, found: Alternatives| state.reply(id, sent(found)));
                 self.begin(id, uri, "Looking for alternatives", token, list, answer)
             }
             "scenelang.place" => {
@@ -285,10 +285,36 @@ impl Observer for Watch<'_> {
     }
 }
 
+/// What the repair of one constraint is called.
+pub const REPAIR: &str = "Repair this constraint";
+
 /// The command that repairs the constraint in a line, for clients that cannot complete an action.
-pub fn repair_command(uri: &Uri, line: u32) -> Value {
-    json!({
-        "title": "Repair this constraint", "command": "scenelang.repair",
-        "arguments": [{ "uri": uri, "line": line }],
-    })
+pub fn repair_command(uri: &Uri, line: u32) -> Result<Command, Fault> {
+    command(REPAIR.to_owned(), "scenelang.repair", Target { line: Some(line), ..Target::of(uri) })
+}
+
+/// A command as an action or a lens has it.
+///
+/// # Errors
+/// A mistake of ours.
+pub fn command(title: String, name: &str, target: Target<'_>) -> Result<Command, Fault> {
+    Ok(Command { title, command: name.to_owned(), arguments: Some(vec![sent(target)?]) })
+}
+
+/// What a command of an action or a lens is about: what [`Argument`] reads of it.
+#[derive(Serialize)]
+pub struct Target<'a> {
+    pub uri: &'a Uri,
+    /// Of a statement; lines from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub object: Option<&'a str>,
+}
+
+impl<'a> Target<'a> {
+    /// A program.
+    pub fn of(uri: &'a Uri) -> Self {
+        Self { uri, line: None, object: None }
+    }
 }

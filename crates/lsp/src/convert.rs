@@ -1,9 +1,9 @@
 //! From places in files to what the protocol has: addresses, lines, units.
 
+use crate::change::{TextChange, WorkspaceChange};
 use crate::disk::uri_of;
 use crate::text::{Encoding, Text};
 use scenelang_base::{FileId, SourceMap, Span};
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -57,23 +57,22 @@ impl<'a> Places<'a> {
     }
 
     /// Edits of files as a change of the workspace. `versions`: those of open documents.
-    pub fn workspace_edit(&self, edits: &[scenelang_base::Edit], versions: Option<&BTreeMap<String, i32>>) -> Value {
-        let mut by_file: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    pub fn workspace_edit(
+        &self,
+        edits: &[scenelang_base::Edit],
+        versions: Option<&BTreeMap<String, i32>>,
+    ) -> WorkspaceChange {
+        WorkspaceChange::new(self.by_file(edits), versions)
+    }
+
+    /// Edits by the address of the file.
+    pub fn by_file(&self, edits: &[scenelang_base::Edit]) -> BTreeMap<String, Vec<TextChange>> {
+        let mut by_file: BTreeMap<String, Vec<TextChange>> = BTreeMap::new();
         for edit in edits {
             let Some(uri) = self.uri(edit.place.file) else { continue };
-            let change = json!({ "range": self.range(edit.place), "newText": edit.text });
+            let change = TextChange::new(self.range(edit.place), edit.text.clone());
             by_file.entry(uri.as_str().to_owned()).or_default().push(change);
         }
-        workspace_edit(by_file, versions)
+        by_file
     }
-}
-
-/// Edits by address as a change of the workspace, with versions if the client knows these.
-pub fn workspace_edit(by_file: BTreeMap<String, Vec<Value>>, versions: Option<&BTreeMap<String, i32>>) -> Value {
-    let Some(versions) = versions else { return json!({ "changes": by_file }) };
-    let changes: Vec<Value> = by_file
-        .into_iter()
-        .map(|(uri, edits)| json!({ "textDocument": { "version": versions.get(&uri), "uri": uri }, "edits": edits }))
-        .collect();
-    json!({ "documentChanges": changes })
 }

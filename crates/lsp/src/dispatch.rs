@@ -18,10 +18,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id};
-use tower_lsp::ls_types::{CompletionItem, InlayHint, Position, Range, Uri};
+use tower_lsp::ls_types::{CompletionItem, InlayHint, Position, Range, SemanticToken, Uri};
 
 /// The numbers of semantic tokens, by the number of the answer that they were in.
-pub type Tokens = Arc<Mutex<Option<(String, Vec<u32>)>>>;
+pub type Tokens = Arc<Mutex<Option<(String, Vec<SemanticToken>)>>>;
 
 /// What a handler sees of the program that it is asked about.
 pub struct Context {
@@ -202,7 +202,7 @@ impl State {
                     open: self.documents.iter().map(|d| (d.path.clone(), d.uri.clone())).collect(),
                     versions: self.documents.iter().map(|d| (d.uri.as_str().to_owned(), d.version)).collect(),
                 };
-                self.ask_pool(id, move || Ok(workspace.edits(&asked)));
+                self.ask_pool(id, move || sent(workspace.edits(&asked)));
                 Ok(())
             }
             "workspace/symbol" => {

@@ -1,8 +1,9 @@
 //! Long work: it has a thread of its own, says how far it is, can be cancelled, and its result is an edit.
 
-use crate::convert::{Places, workspace_edit};
+use crate::change::{TextChange, WorkspaceChange};
+use crate::convert::Places;
 use crate::disk::{Reach, uri_of};
-use crate::dispatch::{Context, Fault};
+use crate::dispatch::{Context, Fault, sent};
 use crate::model::Advisers;
 use crate::state::{Event, State, Stop, guarded};
 use crate::text::Text;
@@ -16,13 +17,17 @@ use scenelang_ide::{Compiled, LayoutFile};
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_verify::settings::Llm;
 use scenelang_verify::{CheckVerdict, Explain};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use tower_lsp::jsonrpc::{Id, Request};
-use tower_lsp::ls_types::Uri;
+use tower_lsp::ls_types::{
+    ChangeAnnotation, LogMessageParams, MessageType, Uri, WorkDoneProgress, WorkDoneProgressBegin, WorkDoneProgressEnd,
+    WorkDoneProgressReport,
+};
 
 /// How often progress is told at most.
 const EVERY: Duration = Duration::from_millis(100);
@@ -108,31 +113,23 @@ impl Job {
     /// Edits of the layout and of the program as a change of the workspace; `note` says what it does, for editors that
     /// show that before. `None`: nothing would change, which editors take for a failure of theirs. A layout that is not
     /// there yet is no part of it: that file is written.
-    pub fn change(&self, layout: Option<&LayoutEdit>, program: &[Edit], note: &str) -> Option<Value> {
+    pub fn change(&self, layout: Option<&LayoutEdit>, program: &[Edit], note: &str) -> Option<WorkspaceChange> {
         let encoding = self.client.encoding;
-        let mut by_file: BTreeMap<String, Vec<Value>> = BTreeMap::new();
-        let places = self.places();
-        for edit in program {
-            let Some(uri) = places.uri(edit.place.file) else { continue };
-            let change = json!({ "range": places.range(edit.place), "newText": edit.text });
-            by_file.entry(uri.as_str().to_owned()).or_default().push(change);
-        }
+        let mut by_file = self.places().by_file(program);
         if let Some(LayoutEdit { uri, text, old: Some(old), .. }) = layout
             && let Some((place, text)) = scenelang_ide::format::difference(old.as_str(), text)
         {
-            let change = json!({ "range": old.range(place, encoding), "newText": text });
+            let change = TextChange::new(old.range(place, encoding), text);
             by_file.entry(uri.as_str().to_owned()).or_default().push(change);
-        }
-        if self.client.annotates && !note.is_empty() {
-            by_file.values_mut().flatten().for_each(|edit| edit["annotationId"] = "change".into());
         }
         if by_file.is_empty() {
             return None;
         }
-        let mut out = workspace_edit(by_file, self.client.document_changes.then_some(&self.versions));
+        let mut out = WorkspaceChange::new(by_file, self.client.document_changes.then_some(&self.versions));
         if self.client.annotates && !note.is_empty() {
             let (label, rest) = note.split_once('\n').unwrap_or((note, ""));
-            out["changeAnnotations"] = json!({ "change": { "label": label, "description": rest } });
+            let (label, description) = (label.to_owned(), Some(rest.to_owned()));
+            out.annotate(ChangeAnnotation { label, description, needs_confirmation: None });
         }
         Some(out)
     }
@@ -154,7 +151,7 @@ pub struct JobOutcome {
     /// The layout afterwards.
     pub layout: Option<LayoutEdit>,
     /// The change that the client is asked to make.
-    pub edit: Option<Value>,
+    pub edit: Option<WorkspaceChange>,
     /// What was done, in a sentence.
     pub message: String,
     /// How many constraints hold afterwards, of how many.
@@ -175,23 +172,55 @@ impl Progress {
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         if last.is_none_or(|at| at.elapsed() >= EVERY) {
             *last = Some(Instant::now());
-            self.tell(&json!({ "kind": "report", "message": message }));
+            self.tell(reported(message));
         }
     }
 
     /// Something that the user should find again: shown as progress, and kept in the editor's log.
     pub fn log(&self, message: &str) {
-        self.tell(&json!({ "kind": "report", "message": message }));
-        let params = json!({ "type": 3, "message": message });
-        let _ = self.to_client.unbounded_send(Request::build("window/logMessage").params(params).finish());
+        self.tell(reported(message));
+        self.send("window/logMessage", LogMessageParams { typ: MessageType::INFO, message: message.to_owned() });
     }
 
-    fn tell(&self, value: &Value) {
+    fn tell(&self, value: WorkDoneProgress) {
         if let Some(token) = &self.token {
-            let request = Request::build("$/progress").params(json!({ "token": token, "value": value })).finish();
-            let _ = self.to_client.unbounded_send(request);
+            self.send("$/progress", Told { token, value });
         }
     }
+
+    fn send(&self, method: &'static str, params: impl Serialize) {
+        if let Ok(params) = sent(params) {
+            let _ = self.to_client.unbounded_send(Request::build(method).params(params).finish());
+        }
+    }
+}
+
+/// Parameters of `$/progress`; a token of the client is given back as it came.
+#[derive(Serialize)]
+struct Told<'a> {
+    token: &'a Value,
+    value: WorkDoneProgress,
+}
+
+fn reported(message: &str) -> WorkDoneProgress {
+    WorkDoneProgress::Report(WorkDoneProgressReport { message: Some(message.to_owned()), ..Default::default() })
+}
+
+/// What commands that change something answer, and `scenelang.check`.
+#[derive(Serialize)]
+struct Done {
+    /// What was done, in a sentence.
+    message: String,
+    /// How many constraints hold afterwards, of how many.
+    holds: usize,
+    total: usize,
+}
+
+/// Parameters of `workspace/applyEdit`.
+#[derive(Serialize)]
+struct Apply {
+    label: String,
+    edit: WorkspaceChange,
 }
 
 /// Long work that has not ended.
@@ -228,7 +257,9 @@ impl State {
         let running = Running { stop: stop.clone(), uri: uri.to_owned(), generation: context.generation };
         self.jobs.insert(id.clone(), running);
         let progress = Progress { token: token.clone(), to_client: self.sender(), last: Arc::default() };
-        progress.tell(&json!({ "kind": "begin", "title": title, "cancellable": true }));
+        let (title, cancellable) = (title.to_owned(), Some(true));
+        let begin = WorkDoneProgressBegin { title, cancellable, ..Default::default() };
+        progress.tell(WorkDoneProgress::Begin(begin));
         let advisers = self.advisers(stop.clone());
         let provisional = self.rooms.get(uri).cloned();
         let (id, events, generation) = (id.clone(), self.events(), context.generation);
@@ -241,7 +272,7 @@ impl State {
                 let outcome = work(&job)?;
                 if job.stop.is_set() { Err(Fault::Cancelled) } else { Ok(outcome) }
             });
-            done.tell(&json!({ "kind": "end" }));
+            done.tell(WorkDoneProgress::End(WorkDoneProgressEnd::default()));
             let _ = events.send(Event::Done(Box::new(move |state: &mut State| {
                 state.jobs.remove(&id);
                 if let Some(token) = token {
@@ -285,8 +316,11 @@ impl State {
     /// Asks the client to make the change of an outcome, and answers then.
     pub fn apply(&mut self, id: &Id, outcome: JobOutcome) {
         let [holds, total] = outcome.count;
-        let answer = json!({ "message": outcome.message, "holds": holds, "total": total });
-        self.apply_with(id, outcome, answer);
+        let done = Done { message: outcome.message.clone(), holds, total };
+        match sent(done) {
+            Ok(answer) => self.apply_with(id, outcome, answer),
+            Err(fault) => self.reply(id, Err(fault)),
+        }
     }
 
     /// The same with another answer.
@@ -300,9 +334,8 @@ impl State {
         if !self.client.applies {
             return self.write(id, layout, answer);
         }
-        let params = json!({ "label": message, "edit": edit });
         let id = id.clone();
-        self.ask_client("workspace/applyEdit", params, move |state, applied| {
+        self.ask_client("workspace/applyEdit", Apply { label: message, edit }, move |state, applied| {
             let applied = applied.is_ok_and(|a| a["applied"].as_bool() == Some(true));
             if applied && let Some(layout) = layout {
                 state.documents.assume(&layout.path, layout.text);

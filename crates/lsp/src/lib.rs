@@ -10,6 +10,7 @@ mod advised;
 mod alternatives;
 mod beside;
 mod capabilities;
+mod change;
 mod client;
 mod commands;
 mod config;
@@ -37,6 +38,7 @@ mod repair;
 mod shelf;
 mod state;
 mod text;
+mod told;
 mod trace;
 mod wire;
 

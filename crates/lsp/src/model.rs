@@ -5,10 +5,13 @@
 use crate::client::{Client, Models, Named};
 use crate::jobs::Progress;
 use crate::state::{Event, State, Stop};
-use scenelang_llm::{Account, Budget, Error, Limits, Model, Reply, Request, Retry, Session, SystemClock, Usage};
+use scenelang_llm::{
+    Account, Budget, Error, Limits, Message, Model, Reply, Request, Retry, Session, SystemClock, Usage,
+};
 use scenelang_solve::Asking;
 use scenelang_verify::settings::Llm;
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::Value;
 use std::sync::Arc;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
@@ -70,6 +73,14 @@ impl State {
     }
 }
 
+/// What the client is asked with `scenelang/languageModel`.
+#[derive(Serialize)]
+struct Question {
+    messages: Vec<Message>,
+    /// What the answer must look like.
+    schema: Value,
+}
+
 /// The editor's own model.
 struct Editor {
     events: Sender<Event>,
@@ -83,7 +94,7 @@ impl Model for Editor {
 
     fn ask(&mut self, request: &Request) -> Result<Reply, Error> {
         let unreachable = |why: &str| Error::Unreachable(why.to_owned());
-        let params = json!({ "messages": request.messages, "schema": request.schema.json });
+        let params = Question { messages: request.messages.clone(), schema: request.schema.json.clone() };
         let (answer, answered) = mpsc::channel();
         let ask = move |state: &mut State| {
             state.ask_client("scenelang/languageModel", params, move |_, result| {

@@ -9,6 +9,7 @@ use scenelang_lang::library;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
+use tower_lsp::ls_types::Uri;
 
 /// Where the page of a code is for those who cannot be given a file.
 const ELSEWHERE: &str = "https://github.com/scenelang/scenelang/blob/main/spec/src/codes/";
@@ -43,14 +44,14 @@ pub fn library_file(index: usize) -> Result<(PathBuf, &'static str), Fault> {
 }
 
 /// The address of the page of a code.
-pub fn of_code(code: Code) -> String {
-    static KNOWN: Mutex<BTreeMap<Code, String>> = Mutex::new(BTreeMap::new());
+pub fn of_code(code: Code) -> Option<Uri> {
+    static KNOWN: Mutex<BTreeMap<Code, Option<Uri>>> = Mutex::new(BTreeMap::new());
     // Each is looked for once: a program can have hundreds of marks.
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let make = || {
         let path = file(&format!("codes/{code}.md"), code.page()).ok();
-        let uri = path.and_then(|path| disk::uri_of(&path));
-        uri.map_or_else(|| format!("{ELSEWHERE}{code}.md"), |uri| uri.as_str().to_owned())
+        let kept = path.and_then(|path| disk::uri_of(&path));
+        kept.or_else(|| format!("{ELSEWHERE}{code}.md").parse().ok())
     };
     known.entry(code).or_insert_with(make).clone()
 }

@@ -9,8 +9,48 @@ use scenelang_export::{Scene, SceneInput, plan, preview};
 use scenelang_lang::program::Program;
 use scenelang_layout::Layout;
 use scenelang_verify::{CheckVerdict, Options, report};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::Value;
 use std::path::Path;
+use tower_lsp::ls_types::{Range, Uri};
+
+/// What `scenelang/provisional` answers, and a part of what `scenelang/scene` does.
+#[derive(Default, Serialize)]
+pub struct Shown {
+    /// How many constraints hold, of how many.
+    holds: usize,
+    total: usize,
+    /// The room as the viewer takes it (`scenelang_export::preview::live`); null: a part of it cannot be drawn, or there is
+    /// no layout.
+    data: Value,
+    constraints: Vec<Row>,
+}
+
+/// A constraint, and whether it holds.
+#[derive(Serialize)]
+struct Row {
+    /// What it is called in reports.
+    id: String,
+    /// The statement as written, or the rule in words.
+    text: String,
+    /// Of the statement; lines from 0.
+    line: u32,
+    uri: Option<Uri>,
+    range: Range,
+    state: Standing,
+    margin: Option<f64>,
+    unit: Option<String>,
+    /// The objects of the instance that decided.
+    objects: Vec<String>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "lowercase")]
+enum Standing {
+    Holds,
+    Fails,
+    Unknown,
+}
 
 /// What a picture is made of.
 pub struct Picture<'a> {
@@ -40,30 +80,33 @@ impl Picture<'_> {
     ///
     /// # Errors
     /// A mistake of ours.
-    pub fn value(&self, places: &Places<'_>, known: Option<&str>) -> Result<Value, Fault> {
+    pub fn shown(&self, places: &Places<'_>, known: Option<&str>) -> Result<Shown, Fault> {
         let name = self.sources.get(self.about).name();
         let report = report::build(name, self.verdict, Some(self.program), self.sources, self.options);
         let rows = self.verdict.rows.iter().zip(&report.constraints).map(|(row, listed)| {
             let state = match row.satisfied {
-                Some(true) => "holds",
-                Some(false) => "fails",
-                None => "unknown",
+                Some(true) => Standing::Holds,
+                Some(false) => Standing::Fails,
+                None => Standing::Unknown,
             };
             let range = places.range(row.place);
-            json!({
-                "id": listed.id, "text": listed.text, "line": range.start.line, "uri": places.uri(row.place.file),
-                "range": range, "state": state, "margin": listed.margin, "unit": listed.unit, "objects": listed.objects,
-            })
+            Row {
+                id: listed.id.clone(),
+                text: listed.text.clone(),
+                line: range.start.line,
+                uri: places.uri(row.place.file),
+                range,
+                state,
+                margin: listed.margin,
+                unit: listed.unit.clone(),
+                objects: listed.objects.clone(),
+            }
         });
-        let rows: Vec<Value> = rows.collect();
+        let constraints = rows.collect();
         let report = serde_json::to_value(&report).map_err(|_| Fault::Internal)?;
         let data = self.scene(&report).and_then(|scene| preview::live(scene, known, true).ok());
         let [holds, total] = count(self.verdict);
-        let mut out = json!({ "holds": holds, "total": total });
-        // The macro would copy these, and they are large.
-        out["data"] = data.unwrap_or_default();
-        out["constraints"] = rows.into();
-        Ok(out)
+        Ok(Shown { holds, total, data: data.unwrap_or_default(), constraints })
     }
 
     /// The plan (SVG); `None`: it cannot be drawn.

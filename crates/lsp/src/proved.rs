@@ -5,25 +5,23 @@ use crate::text::{Encoding, Text};
 use rustc_hash::FxHasher;
 use scenelang_ide::Snapshot;
 use scenelang_lang::token::{Token, lex};
-use serde::Deserialize;
-use serde_json::{Value, json};
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
-use tower_lsp::ls_types::{Position, Range};
+use tower_lsp::ls_types::{Diagnostic, Position, Range};
 
 /// Marks of what is proved, and the text that they are about.
 #[derive(Default)]
 pub struct Proofs {
-    marks: Vec<Value>,
+    marks: Vec<Diagnostic>,
     text: Arc<Text>,
 }
 
 impl Proofs {
-    pub fn new(marks: Vec<Value>, text: Arc<Text>) -> Self {
+    pub fn new(marks: Vec<Diagnostic>, text: Arc<Text>) -> Self {
         Self { marks, text }
     }
 
-    pub fn marks(&self) -> &[Value] {
+    pub fn marks(&self) -> &[Diagnostic] {
         &self.marks
     }
 
@@ -34,13 +32,13 @@ impl Proofs {
         }
         let (before, after) = (tokens(self.text.as_str()), tokens(text.as_str()));
         let moved = Moved { before: (&self.text, &before), after: (text, &after), encoding };
-        let own = |place: &Value| place["location"]["uri"] == uri;
         self.marks.retain_mut(|mark| {
-            let Some(range) = moved.range(&mark["range"]) else { return false };
-            mark["range"] = range;
-            for place in mark["relatedInformation"].as_array_mut().into_iter().flatten().filter(|place| own(place)) {
-                if let Some(range) = moved.range(&place["location"]["range"]) {
-                    place["location"]["range"] = range;
+            let Some(range) = moved.range(mark.range) else { return false };
+            mark.range = range;
+            let places = mark.related_information.iter_mut().flatten().map(|related| &mut related.location);
+            for place in places.filter(|place| place.uri.as_str() == uri) {
+                if let Some(range) = moved.range(place.range) {
+                    place.range = range;
                 }
             }
             true
@@ -57,9 +55,8 @@ struct Moved<'a> {
 }
 
 impl Moved<'_> {
-    fn range(&self, range: &Value) -> Option<Value> {
-        let Range { start, end } = Range::deserialize(range).ok()?;
-        Some(json!({ "start": self.position(start, false)?, "end": self.position(end, true)? }))
+    fn range(&self, Range { start, end }: Range) -> Option<Range> {
+        Some(Range { start: self.position(start, false)?, end: self.position(end, true)? })
     }
 
     /// A place in or at a word, from its beginning; `ends`: the word before the place counts.

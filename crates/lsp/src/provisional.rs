@@ -1,9 +1,9 @@
 //! A room for a program that has no layout yet: found in the background, shown, and kept in memory until it is written.
 
 use crate::commands::{Watch, count};
-use crate::dispatch::{Fault, params};
+use crate::dispatch::{Fault, params, sent};
 use crate::jobs::Job;
-use crate::picture::Picture;
+use crate::picture::{Picture, Shown};
 use crate::state::State;
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, file as layout_file};
@@ -29,16 +29,16 @@ impl State {
     pub fn provisional(&mut self, id: &Id, given: Value) -> Result<(), Fault> {
         let Asked { uri, known } = params(given)?;
         let key = uri.as_str().to_owned();
-        let finish = Box::new(move |state: &mut State, id: &Id, (layout, answer): (Layout, Value)| {
+        let finish = Box::new(move |state: &mut State, id: &Id, (layout, shown): (Layout, Shown)| {
             state.rooms.insert(key, Arc::new(layout));
-            state.reply(id, Ok(answer));
+            state.reply(id, sent(shown));
         });
         self.begin(id, uri.as_str(), "Finding a room", None, move |job| room(job, known.as_deref()), finish)
     }
 }
 
 /// A layout of the program, and how it is shown. What the last one has stays where it was, if all holds so.
-fn room(job: &Job, known: Option<&str>) -> Result<(Layout, Value), Fault> {
+fn room(job: &Job, known: Option<&str>) -> Result<(Layout, Shown), Fault> {
     let program = &job.compiled.program;
     if let Some(path) = job.layout.as_ref().and(job.layout_path.as_ref()) {
         return Err(Fault::Failed(format!("the program has a layout: {}", path.display())));
@@ -80,6 +80,6 @@ fn room(job: &Job, known: Option<&str>) -> Result<(Layout, Value), Fault> {
         options: &job.judging.options,
         looks: &job.looks,
     };
-    let answer = picture.value(&job.places(), known)?;
-    Ok((layout, answer))
+    let shown = picture.shown(&job.places(), known)?;
+    Ok((layout, shown))
 }

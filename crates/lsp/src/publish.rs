@@ -7,18 +7,21 @@ use crate::dispatch::{Context, Fault};
 use crate::pages;
 use crate::text::Text;
 use scenelang_analysis::FileSettings;
-use scenelang_base::{Diagnostic, FileId, Severity, TextRange, codes};
+use scenelang_base::{Diagnostic, FileId, Label, Severity, TextRange, codes};
 use scenelang_ide::Cancelled;
 use scenelang_ide::diagnostics::{Finding, diagnostics};
-use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use tower_lsp::ls_types::{
+    CodeDescription, Diagnostic as Mark, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
+    NumberOrString,
+};
 
 /// What a program and its layout come to.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     /// What is marked, by the address of the file.
-    pub marks: BTreeMap<String, Vec<Value>>,
+    pub marks: BTreeMap<String, Vec<Mark>>,
     /// How many constraints hold, and how many there are; `None`: there is no layout to judge.
     pub count: Option<[usize; 2]>,
 }
@@ -30,7 +33,7 @@ pub struct Findings {
 pub fn verdict(context: &Context) -> Result<Findings, Cancelled> {
     let snapshot = &context.snapshot;
     let places = context.places();
-    let mut marks: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    let mut marks: BTreeMap<String, Vec<Mark>> = BTreeMap::new();
     marks.insert(context.uri.as_str().to_owned(), Vec::new());
     if let Some(uri) = snapshot.layout().and_then(|layout| places.uri(layout.file)) {
         marks.insert(uri.as_str().to_owned(), Vec::new());
@@ -54,7 +57,7 @@ pub fn verdict(context: &Context) -> Result<Findings, Cancelled> {
     of_settings(context, &mut marks);
     for list in marks.values_mut() {
         let mut seen = BTreeSet::new();
-        list.retain(|mark| seen.insert(mark.to_string()));
+        list.retain(|mark| seen.insert(serde_json::to_string(mark).ok()));
     }
     let judged = if context.settings.is_broken() { None } else { snapshot.judged()? };
     let count = judged.map(|judged| {
@@ -65,7 +68,7 @@ pub fn verdict(context: &Context) -> Result<Findings, Cancelled> {
 }
 
 /// What is wrong with the settings of the workspace.
-fn of_settings(context: &Context, marks: &mut BTreeMap<String, Vec<Value>>) {
+fn of_settings(context: &Context, marks: &mut BTreeMap<String, Vec<Mark>>) {
     let FileSettings { file: Some(path), sources, diagnostics, .. } = &*context.settings else { return };
     let Some(uri) = context.open.get(path).cloned().or_else(|| uri_of(path)) else { return };
     let found = marks.entry(uri.as_str().to_owned()).or_default();
@@ -80,7 +83,7 @@ fn of_settings(context: &Context, marks: &mut BTreeMap<String, Vec<Value>>) {
 ///
 /// # Errors
 /// The text has changed.
-pub fn proofs(context: Context) -> Result<Vec<Value>, Fault> {
+pub fn proofs(context: Context) -> Result<Vec<Mark>, Fault> {
     let compiled = context.snapshot.compiled()?;
     if !compiled.complete || context.settings.is_broken() {
         return Ok(Vec::new());
@@ -96,68 +99,66 @@ pub fn proofs(context: Context) -> Result<Vec<Value>, Fault> {
 }
 
 /// A finding as the protocol has it.
-pub fn mark(diagnostic: &Diagnostic, file: FileId, places: &Places<'_>, related: bool) -> Value {
+pub fn mark(diagnostic: &Diagnostic, file: FileId, places: &Places<'_>, related: bool) -> Mark {
     let span = diagnostic.primary.as_ref().map_or(TextRange::empty(0).in_file(file), |label| label.place);
     let mut message = diagnostic.message.clone();
     for note in &diagnostic.notes {
         message.push('\n');
         message.push_str(note);
     }
-    let mut out = json!({
-        "range": places.range(span),
-        "severity": match diagnostic.severity { Severity::Error => 1, Severity::Warning => 2 },
-        "code": diagnostic.code.as_str(),
-        "codeDescription": { "href": pages::of_code(diagnostic.code) },
-        "source": "scenelang",
-        "message": message,
-    });
-    if diagnostic.code == codes::W0201 {
-        out["tags"] = json!([1]);
+    let told = |label: &Label| {
+        Some(DiagnosticRelatedInformation { location: places.location(label.place)?, message: label.message.clone() })
+    };
+    let further: Vec<_> = diagnostic.related.iter().filter_map(told).collect();
+    Mark {
+        range: places.range(span),
+        severity: Some(match diagnostic.severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+        }),
+        code: Some(NumberOrString::String(diagnostic.code.as_str().to_owned())),
+        code_description: pages::of_code(diagnostic.code).map(|href| CodeDescription { href }),
+        source: Some("scenelang".to_owned()),
+        message,
+        related_information: (related && !further.is_empty()).then_some(further),
+        tags: (diagnostic.code == codes::W0201).then(|| vec![DiagnosticTag::UNNECESSARY]),
+        data: None,
     }
-    let further: Vec<Value> = diagnostic
-        .related
-        .iter()
-        .filter_map(|label| Some(json!({ "location": places.location(label.place)?, "message": label.message })))
-        .collect();
-    if related && !further.is_empty() {
-        out["relatedInformation"] = further.into();
-    }
-    out
 }
 
 /// Who says what about which file.
 #[derive(Default)]
 pub struct Board {
     /// By owner, then by file.
-    said: BTreeMap<String, BTreeMap<String, Vec<Value>>>,
+    said: BTreeMap<String, BTreeMap<String, Vec<Mark>>>,
 }
 
 impl Board {
     /// Takes over what an owner says. Returns the files about which something else is said than before, with all that is
     /// said of each. Of a file that is itself an owner, only its own word counts.
-    pub fn put(&mut self, owner: &str, marks: BTreeMap<String, Vec<Value>>) -> BTreeMap<String, Vec<Value>> {
+    pub fn put(&mut self, owner: &str, marks: BTreeMap<String, Vec<Mark>>) -> BTreeMap<String, Vec<Mark>> {
         let before = self.said.insert(owner.to_owned(), marks).unwrap_or_default();
         self.changed(owner, &before)
     }
 
     /// Forgets an owner.
-    pub fn remove(&mut self, owner: &str) -> BTreeMap<String, Vec<Value>> {
+    pub fn remove(&mut self, owner: &str) -> BTreeMap<String, Vec<Mark>> {
         let before = self.said.remove(owner).unwrap_or_default();
         self.changed(owner, &before)
     }
 
-    fn changed(&self, owner: &str, before: &BTreeMap<String, Vec<Value>>) -> BTreeMap<String, Vec<Value>> {
+    fn changed(&self, owner: &str, before: &BTreeMap<String, Vec<Mark>>) -> BTreeMap<String, Vec<Mark>> {
         let now = self.said.get(owner);
         let files: BTreeSet<&String> = before.keys().chain(now.into_iter().flat_map(|m| m.keys())).collect();
         files.into_iter().map(|file| (file.clone(), self.about(file))).collect()
     }
 
     /// All that is said of a file.
-    pub fn about(&self, file: &str) -> Vec<Value> {
+    pub fn about(&self, file: &str) -> Vec<Mark> {
         if let Some(own) = self.said.get(file) {
             return own.get(file).cloned().unwrap_or_default();
         }
-        let mut out: Vec<Value> = Vec::new();
+        let mut out: Vec<Mark> = Vec::new();
         for mark in self.said.values().filter_map(|marks| marks.get(file)).flatten() {
             if !out.contains(mark) {
                 out.push(mark.clone());

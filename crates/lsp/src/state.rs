@@ -4,7 +4,7 @@
 use crate::beside::{Beside, Show};
 use crate::client::Client;
 use crate::config::Config;
-use crate::dispatch::{Context, Fault};
+use crate::dispatch::{Context, Fault, sent};
 use crate::documents::{Documents, OpenDocument};
 use crate::drag::Drag;
 use crate::jobs::Running;
@@ -16,14 +16,15 @@ use crate::publish::{Board, Findings, proofs, verdict};
 use crate::reading::Reading;
 use crate::record::Recorder;
 use crate::text::Encoding;
+use crate::told::{Changed, Published, registration, section};
 use crate::trace::Trace;
 use crate::{capabilities, disk, parent};
 use futures::channel::{mpsc, oneshot};
 use scenelang_layout::Layout;
 use scenelang_llm::Account;
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -31,8 +32,10 @@ use std::sync::{Arc, mpsc as queue};
 use std::time::{Duration, Instant};
 use tower_lsp::jsonrpc::{self, Error, ErrorCode, Id, Request, Response};
 use tower_lsp::ls_types::{
-    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, Uri,
+    ConfigurationParams, Diagnostic, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidChangeWatchedFilesRegistrationOptions, DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, DidSaveTextDocumentParams, FileSystemWatcher, GlobPattern, InitializeResult,
+    NumberOrString, RegistrationParams, Uri, WorkDoneProgressCreateParams,
 };
 
 /// What a server needs to know besides what the client tells it.
@@ -222,7 +225,7 @@ impl State {
         match (self.phase, method) {
             (Phase::New, "initialize") => {
                 let answer = self.initialize(&params);
-                let _ = reply.send(Ok(answer));
+                let _ = reply.send(sent(answer).map_err(Fault::into_error));
             }
             (Phase::New, _) => {
                 let message = "the server is not initialized".into();
@@ -452,7 +455,7 @@ impl State {
 
     // ── Beginning ──
 
-    fn initialize(&mut self, params: &Value) -> Value {
+    fn initialize(&mut self, params: &Value) -> InitializeResult {
         self.phase = Phase::Running;
         self.trace = Trace::read(&params["trace"]);
         self.client = Arc::new(Client::new(params));
@@ -482,21 +485,19 @@ impl State {
     fn initialized(&mut self) {
         let mut registrations = Vec::new();
         if self.client.watches_files {
-            let globs = ["**/*.scene", "**/*.json", "**/scenelang.toml"].map(|glob| json!({ "globPattern": glob }));
-            registrations.push(json!({
-                "id": "files", "method": "workspace/didChangeWatchedFiles", "registerOptions": { "watchers": globs },
-            }));
+            let watched =
+                |glob: &str| FileSystemWatcher { glob_pattern: GlobPattern::String(glob.to_owned()), kind: None };
+            let watchers = ["**/*.scene", "**/*.json", "**/scenelang.toml"].map(watched).to_vec();
+            let options = DidChangeWatchedFilesRegistrationOptions { watchers };
+            registrations.push(registration("files", "workspace/didChangeWatchedFiles", options));
         } else {
             self.look_at_files();
         }
         if self.client.watches_configuration {
-            registrations.push(json!({
-                "id": "configuration", "method": "workspace/didChangeConfiguration",
-                "registerOptions": { "section": "scenelang" },
-            }));
+            registrations.push(registration("configuration", "workspace/didChangeConfiguration", section()));
         }
         if !registrations.is_empty() {
-            self.ask_client("client/registerCapability", json!({ "registrations": registrations }), |_, _| {});
+            self.ask_client("client/registerCapability", RegistrationParams { registrations }, |_, _| {});
         }
         self.pull_configuration();
     }
@@ -513,14 +514,17 @@ impl State {
 
     fn pull_configuration(&mut self) {
         if self.client.configuration {
-            let items = json!({ "items": [{ "section": "scenelang" }] });
-            self.ask_client("workspace/configuration", items, |state, answer| {
-                if let Ok(values) = answer
-                    && values[0].is_object()
-                {
-                    state.reconfigure(&values[0]);
-                }
-            });
+            self.ask_client(
+                "workspace/configuration",
+                ConfigurationParams { items: vec![section()] },
+                |state, answer| {
+                    if let Ok(values) = answer
+                        && values[0].is_object()
+                    {
+                        state.reconfigure(&values[0]);
+                    }
+                },
+            );
         }
     }
 
@@ -582,7 +586,7 @@ impl State {
         let Ok(Findings { marks, count }) = found else { return };
         let layout = scene.layout.as_deref().filter(|_| count.is_some()).and_then(disk::uri_of);
         let [holds, total] = count.unwrap_or_default();
-        let changed = json!({ "uri": uri, "holds": holds, "total": total, "layout": layout });
+        let changed = Changed { uri: uri.clone(), holds, total, layout };
         self.log(|| format!("checked {key}: {holds} of {total} hold"), || format!("generation {generation}"));
         for (uri, marks) in self.board.put(key, marks) {
             self.publish(&uri, &marks);
@@ -590,7 +594,7 @@ impl State {
         self.tell("scenelang/changed", changed);
         if outside {
             for request in self.client.refreshes.clone() {
-                self.ask_client(request, Value::Null, |_, _| {});
+                self.ask_client(request, (), |_, _| {});
             }
         }
         self.wake();
@@ -668,9 +672,9 @@ impl State {
 
     /// Says what is marked in a file. What the client asks for itself it is not told, but for what is proved, which takes
     /// longer than it would want to wait.
-    fn publish(&mut self, uri: &str, marks: &[Value]) {
+    fn publish(&mut self, uri: &str, marks: &[Diagnostic]) {
         let document = self.documents.get(uri);
-        let mut all: Vec<Value> = Vec::new();
+        let mut all: Vec<Diagnostic> = Vec::new();
         let pulled = self.client.pulls && document.is_some_and(|d| d.scene.is_some());
         if !pulled {
             all.extend(marks.iter().cloned());
@@ -683,12 +687,7 @@ impl State {
                 return;
             }
         }
-        let mut params = json!({ "uri": uri });
-        params["diagnostics"] = all.into();
-        if let Some(version) = version {
-            params["version"] = version.into();
-        }
-        self.tell("textDocument/publishDiagnostics", params);
+        self.tell("textDocument/publishDiagnostics", Published { uri, diagnostics: all, version });
     }
 
     // ── The other direction ──
@@ -698,9 +697,10 @@ impl State {
         if !self.client.progress {
             return None;
         }
-        let token = json!(format!("scenelang/{}", self.asks + 1));
-        self.ask_client("window/workDoneProgress/create", json!({ "token": token }), |_, _| {});
-        Some(token)
+        let token = format!("scenelang/{}", self.asks + 1);
+        let params = WorkDoneProgressCreateParams { token: NumberOrString::String(token.clone()) };
+        self.ask_client("window/workDoneProgress/create", params, |_, _| {});
+        Some(token.into())
     }
 
     /// Tells of what is done, as much of it as the client wants.
@@ -716,17 +716,19 @@ impl State {
     }
 
     /// Tells the client something.
-    pub fn tell(&self, method: &'static str, params: Value) {
+    pub fn tell(&self, method: &'static str, params: impl Serialize) {
+        let Ok(params) = sent(params) else { return };
         let _ = self.to_client.unbounded_send(Request::build(method).params(params).finish());
     }
 
-    /// Asks the client something, and goes on when it answers. Nothing waits for that.
+    /// Asks the client something, and goes on when it answers. Nothing waits for that. Parameters of `()` are none.
     pub fn ask_client(
         &mut self,
         method: &'static str,
-        params: Value,
+        params: impl Serialize,
         then: impl FnOnce(&mut State, Result<Value, Error>) + Send + 'static,
     ) {
+        let Ok(params) = sent(params) else { return };
         self.asks += 1;
         self.asked.insert(self.asks, Box::new(then));
         let request = Request::build(method).id(self.asks);

@@ -11,7 +11,9 @@ const CHOICES: usize = 3;
 /// What a flaw counts (metres): so much farther does one go to avoid it.
 const FLAW: f64 = 3.0;
 /// What a second direction counts (metres): who can push something along a wall does not push it away from that as well.
+/// What goes farther than this (metres) is carried, and has no directions.
 const DIRECTION: f64 = 0.1;
+const PUSHED: f64 = 1.0;
 /// A choice costs at most so many times what the first one costs, and so much more (metres): nobody moves a wardrobe
 /// across the room where a chair can be pushed aside.
 const FARTHER: (f64, f64) = (3.0, 0.5);
@@ -46,8 +48,12 @@ impl Judged {
 
     /// What it costs with what is awkward about it.
     fn price(&self) -> f64 {
-        let own = self.steps.iter().filter(|step| step.with.is_none());
-        let ways = own.map(|step| step.by.iter().filter(|by| **by != 0.0).count().saturating_sub(1));
+        let pushed = |step: &&ObjectMove| step.with.is_none() && step.by[0].hypot(step.by[2]) <= PUSHED;
+        let ways = self
+            .steps
+            .iter()
+            .filter(pushed)
+            .map(|step| step.by.iter().filter(|by| **by != 0.0).count().saturating_sub(1));
         self.cost + FLAW * self.flaws as f64 + DIRECTION * ways.sum::<usize>() as f64
     }
 

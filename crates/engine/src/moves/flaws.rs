@@ -26,11 +26,21 @@ const STOOL: f64 = 0.6;
 const SOFA: f64 = 1.3;
 /// So far away is the table that an armchair looks at (metres).
 const TABLE: f64 = 1.2;
+/// A chair that is farther from walls and from all furniture belongs to nothing (metres).
+const STRAY: f64 = 0.5;
+/// What holds things and is no wider than this, and twice as high, is a coat stand or the like (metres).
+const SLIM: f64 = 0.5;
 /// What is turned by less than this from the walls of its room is square to them (degrees).
 const SQUARE: f64 = 0.5;
 
 /// Roles of what stands at a wall, in a corner or beside furniture, but never in the middle of a room.
-pub(super) const STANDS_ASIDE: [&str; 3] = ["light", "plant", "decor"];
+const STANDS_ASIDE: [&str; 3] = ["light", "plant", "decor"];
+
+/// Whether a thing of a role and a size stands there: coat stands do, too.
+pub(super) fn stands_aside(role: &str, size: &Vec3) -> bool {
+    let wide = size.x.max(size.z);
+    STANDS_ASIDE.contains(&role) || role == "storage" && wide <= SLIM && size.y >= 2.0 * wide
+}
 
 /// A flaw of where an object stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,6 +57,8 @@ pub(super) enum Flaw {
     OffWall(ObjectId),
     /// A lamp or a plant stands alone in the room.
     Alone(ObjectId),
+    /// A chair stands in the room and belongs to nothing.
+    Stray(ObjectId),
     /// It is not square to the walls.
     Askew(ObjectId),
 }
@@ -77,6 +89,16 @@ impl Thing<'_> {
 
     fn is_chair(&self) -> bool {
         self.role == "seat" && self.width() < CHAIR
+    }
+
+    fn stands_aside(&self) -> bool {
+        stands_aside(self.role, &(2.0 * self.obb.half))
+    }
+
+    /// Whether a chair can belong to it, or stand in a row with it.
+    fn is_furniture(&self) -> bool {
+        let others = ["carpet", "curtain", "wallDecor", "door", "window", "item", "divider", "heating"];
+        !self.stands_aside() && !others.contains(&self.role)
     }
 
     /// Whether people sit at it.
@@ -191,12 +213,13 @@ impl<'a> Sense<'a> {
         let (center, half) = (thing.obb.center, thing.obb.half);
         let [right, front] = [0, 2].map(|i| thing.axis(i));
         let beyond = |way: Vec3, half: f64, by: f64| wall(center + way * (half + by)) <= 0.0;
-        let stands = thing.bottom() - room.floor < ON_FLOOR;
-        if matches!(thing.role, "seat" | "storage" | "appliance" | "desk") && stands && beyond(front, half.z, 0.4) {
+        let (stands, aside) = (thing.bottom() - room.floor < ON_FLOOR, thing.stands_aside());
+        let fronted = matches!(thing.role, "seat" | "storage" | "appliance" | "desk") && !aside;
+        if fronted && stands && beyond(front, half.z, 0.4) {
             found.push(Flaw::FacesWall(thing.id));
         }
         let backed = match thing.role {
-            "bed" | "storage" | "appliance" | "sanitary" | "desk" | "screen" => stands,
+            "bed" | "storage" | "appliance" | "sanitary" | "desk" | "screen" => stands && !aside,
             "seat" => thing.width() >= SOFA,
             _ => false,
         };
@@ -204,8 +227,9 @@ impl<'a> Sense<'a> {
         if backed && !beyond(-front, half.z, AT_WALL) && !beside() {
             found.push(Flaw::OffWall(thing.id));
         }
-        if stands && STANDS_ASIDE.contains(&thing.role) {
-            let near_wall = wall(center) - half.x.max(half.z) <= ALONE;
+        let from_walls = wall(center) - half.x.max(half.z);
+        if stands && aside {
+            let near_wall = from_walls <= ALONE;
             let near = |other: &Thing<'_>| {
                 let furniture = matches!(other.role, "storage" | "appliance" | "bed" | "screen" | "sanitary")
                     || other.role == "seat" && !other.is_chair();
@@ -214,6 +238,10 @@ impl<'a> Sense<'a> {
             if !near_wall && !self.others(thing.id).any(|other| near(&other)) {
                 found.push(Flaw::Alone(thing.id));
             }
+        }
+        let belongs = |other: &Thing<'_>| other.is_furniture() && !obb::apart(other.obb, thing.obb, STRAY);
+        if stands && thing.is_chair() && from_walls > STRAY && !self.others(thing.id).any(|other| belongs(&other)) {
+            found.push(Flaw::Stray(thing.id));
         }
         let along = room.polygon.clearance_of_point(Vec2::new(center.x, center.z)).inward;
         let angle = (front.x.atan2(front.z) - along.x.atan2(along.y)).to_degrees();
@@ -304,6 +332,7 @@ mod tests {
             Flaw::LooksAway(_) => "looks away".to_owned(),
             Flaw::OffWall(_) => "off its wall".to_owned(),
             Flaw::Alone(_) => "alone".to_owned(),
+            Flaw::Stray(_) => "stray".to_owned(),
             Flaw::Askew(_) => "askew".to_owned(),
         };
         Sense::new(&program, &world).flaws(&[ObjectId(0)]).iter().map(said).collect()
@@ -321,6 +350,9 @@ mod tests {
             (&["lamp floor-lamp 0 0 0 0.3 1.6 0.3", SOFA], &["alone"]),
             (&["plant plant 2.5 0 0 0.4 1 0.4", SOFA], &["alone"]),
             (&["plant plant 2.7 0 0 0.4 1 0.4", SOFA], &[]),
+            (&["stand coat-stand 0 0 0 0.4 1.7 0.4"], &["alone"]),
+            (&["stand coat-stand 2.7 0 90 0.4 1.7 0.4"], &[]),
+            (&["stand nightstand 0 0 0 0.4 0.5 0.4"], &["off its wall"]),
             // What belongs before a sofa.
             (&["table coffee-table 0 -1.6 0 1 0.42 0.6", SOFA], &[]),
             (&["rug rug 0 -1.6 0 2 0.02 1.4", SOFA], &[]),
@@ -333,6 +365,11 @@ mod tests {
             (&["chair chair 0.55 1.9 0 0.5 0.9 0.5", DESK], &["at an end"]),
             (&["chair chair 1 2.5 270 0.5 0.9 0.5", DESK], &["at an end"]),
             (&["chair chair 0 1.9 180 0.5 0.9 0.5", DESK], &["looks away"]),
+            // A chair that belongs to nothing; in a row, at a wall, beside a couch.
+            (&["chair chair 0 0 0 0.5 0.9 0.5", "lamp floor-lamp 0.5 0 0 0.3 1.6 0.3", DESK], &["stray"]),
+            (&["chair chair 0 0 0 0.5 0.9 0.5", "other chair 0.7 0 0 0.5 0.9 0.5"], &[]),
+            (&["chair chair 0 -2.5 0 0.5 0.9 0.5"], &[]),
+            (&["chair chair 0 0 0 0.5 0.9 0.5", "couch examination-couch 0.7 0 0 0.7 0.7 1.9"], &[]),
             // Two people share a desk; a table has four sides.
             (&["chair chair 0.4 1.9 0 0.5 0.9 0.5", DESK, "other chair -0.4 1.9 0 0.5 0.9 0.5"], &[]),
             (&["chair chair 1.1 0 270 0.5 0.9 0.5", TABLE], &[]),

@@ -1,12 +1,12 @@
 //! Places where people put such a thing: before the middle of a desk, at the sides of a table, next to the end of a sofa with
 //! the backs in line, a plant at a wall.
 
-use super::flaws::{CHAIR, STANDS_ASIDE};
+use super::flaws::{CHAIR, stands_aside};
 use super::search::{Move, MoveSearch};
 use crate::Pose;
 use crate::pose::{half_turn, yaw_towards};
 use scenelang_lang::program::ObjectId;
-use scenelang_layout::{Vec2, Vec3};
+use scenelang_layout::{Obb, Vec2, Vec3, obb};
 use scenelang_verify::World;
 use scenelang_verify::explain::ObjectMove;
 
@@ -24,6 +24,12 @@ const BESIDE: [f64; 2] = [0.05, 0.2];
 const SECOND: f64 = 0.5;
 /// What a metre counts of a way to a wall: a plant is carried across a room before a bed is pushed aside.
 const LIGHT: f64 = 0.01;
+/// What it counts that a plant stands amid a wall and not in a corner (metres, of such a way).
+const AMID: f64 = 0.1;
+/// So many places at walls are looked for: in most rooms there are four corners.
+const WALLS: usize = 5;
+/// What is deeper than this in something else is no place for it (metres).
+const OVERLAP: f64 = 0.01;
 /// What stands higher or lower than this stands on something else (metres).
 const SAME_FLOOR: f64 = 0.3;
 
@@ -48,10 +54,17 @@ impl MoveSearch<'_, '_> {
                 out.extend(found.map(|step| (self.cost(&step) + more + aside, step)));
             }
         }
-        if STANDS_ASIDE.contains(&self.stage.role(self.from.object)) {
-            let spots = at_walls(&home, self.stage.world());
-            let found: Vec<ObjectMove> = spots.iter().filter_map(|spot| self.reached(&home, spot)).collect();
-            out.extend(found.into_iter().map(|step| (LIGHT * self.cost(&step), step)));
+        let role = self.stage.role(self.from.object);
+        if stands_aside(role, &home.scale) {
+            let amid = if role == "plant" { AMID } else { 0.0 };
+            let price =
+                |(corner, spot): &(bool, Pose)| LIGHT * (spot.pos - home.pos).norm() + if *corner { 0.0 } else { amid };
+            // To try a place may be dear: the best come first, and few of them are enough.
+            let mut spots = at_walls(&home, self.stage.world());
+            spots.retain(|(_, spot)| self.is_free(spot));
+            spots.sort_by(|a, b| price(a).total_cmp(&price(b)));
+            let found = spots.iter().filter_map(|spot| Some((price(spot), self.reached(&home, &spot.1)?)));
+            out.extend(found.take(WALLS).collect::<Vec<_>>());
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
         out
@@ -78,6 +91,18 @@ impl MoveSearch<'_, '_> {
     /// Whether it is a seat, and another object is what one sits at.
     fn sits_at(&self, other: ObjectId) -> bool {
         self.stage.role(self.from.object) == "seat" && matches!(self.stage.role(other), "desk" | "table" | "counter")
+    }
+
+    /// Whether nothing else stands in a place where it would be turned as it is.
+    fn is_free(&self, spot: &Pose) -> bool {
+        let (own, world) = (self.from.object, self.stage.world());
+        let (Some(now), Ok(thing)) = (self.stage.pose(own), world.object(own)) else { return false };
+        let obb = &thing.body.obb;
+        let there = Obb { center: obb.center + spot.pos - now.pos, ..*obb };
+        world.bodies().all(|(id, _)| {
+            let other = world.object(id).map(|thing| &thing.body.obb);
+            id == own || other.is_ok_and(|other| obb::apart(other, &there, -OVERLAP))
+        })
     }
 
     /// The move that brings it to a place, in whole centimetres if that will do, if the goals hold there.
@@ -128,8 +153,8 @@ fn beside(own: &Pose, other: &Pose) -> Vec<(f64, Vec<Pose>)> {
     out
 }
 
-/// At the walls of the room it is in: as near as can be, and in the corners.
-fn at_walls(own: &Pose, world: &World<f64>) -> Vec<Pose> {
+/// At the walls of the room it is in: as near as can be, and in the corners. With each, whether it is in one.
+fn at_walls(own: &Pose, world: &World<f64>) -> Vec<(bool, Pose)> {
     let here = Vec2::new(own.pos.x, own.pos.z);
     let outlines = world.prisms().map(|(_, prism)| &prism.polygon).filter(|outline| outline.contains(here));
     let Some(outline) = outlines.max_by(|a, b| a.area().total_cmp(&b.area())) else { return Vec::new() };
@@ -145,11 +170,24 @@ fn at_walls(own: &Pose, world: &World<f64>) -> Vec<Pose> {
         let nearest = (here - a).dot(&along).clamp(off, long - off);
         for at in [nearest, off, long - off] {
             let spots = inward.map(|way| a + along * at + way * off);
-            let inside = spots.into_iter().filter(|spot| outline.contains(*spot));
-            out.extend(inside.map(|spot| Pose { pos: Vec3::new(spot.x, own.pos.y, spot.y), ..*own }));
+            for spot in spots.into_iter().filter(|spot| outline.contains(*spot)) {
+                let walls = outline.edges().filter(|(a, b)| distance(spot, *a, *b) < off + BESIDE[0]);
+                let pose = Pose { pos: Vec3::new(spot.x, own.pos.y, spot.y), ..*own };
+                // Two walls have the same corner.
+                if out.iter().all(|(_, known): &(bool, Pose)| (known.pos - pose.pos).norm() > BESIDE[0]) {
+                    out.push((walls.count() > 1, pose));
+                }
+            }
         }
     }
     out
+}
+
+/// How far a place is from a wall.
+fn distance(at: Vec2, a: Vec2, b: Vec2) -> f64 {
+    let along = b - a;
+    let part = ((at - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+    (at - a - along * part).norm()
 }
 
 /// A place at the height of an object.

@@ -19,6 +19,9 @@ use scenelang_verify::vector::V3;
 use scenelang_verify::{Dual, Scratch, Truth, Value, World, in_the_way, objects_of};
 use std::rc::Rc;
 
+/// What is moved farther than this is not pushed aside, but carried (metres).
+const CARRIED: f64 = 0.5;
+
 /// Derivatives by a move in x, y, z and a turn about the vertical (metres, degrees).
 pub(super) type Slope = Dual<4>;
 
@@ -344,7 +347,7 @@ impl<'a> Stage<'a> {
     }
 
     /// How much has become awkward that was not, these objects being the ones moved. What is moved and then stands alone in the
-    /// room counts although it did before.
+    /// room counts although it did before; so does a chair that is carried farther, and belongs to nothing still.
     pub fn new_flaws(&mut self, moved: &[ObjectId]) -> usize {
         self.work += moved.len() * (4 + self.program.objects.len() / 16);
         let now = Sense::new(self.program, self.state.world()).flaws(moved);
@@ -359,7 +362,16 @@ impl<'a> Stage<'a> {
             }
         });
         let before = |flaw: &Flaw| moved.iter().any(|id| self.flaws[id].contains(flaw));
-        now.iter().filter(|flaw| matches!(flaw, Flaw::Alone(_)) || !before(flaw)).count()
+        let far = |id: ObjectId| {
+            let [home, pose] = [self.state.home(id), self.state.pose(id)];
+            home.zip(pose).is_some_and(|(home, pose)| (pose.pos - home.pos).norm() > CARRIED)
+        };
+        let counts = |flaw: &&Flaw| match flaw {
+            Flaw::Alone(_) => true,
+            Flaw::Stray(id) if far(*id) => true,
+            _ => !before(flaw),
+        };
+        now.iter().filter(counts).count()
     }
 
     /// What judging a goal costs, in small comparisons.

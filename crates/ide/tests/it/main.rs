@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::needless_pass_by_value, reason = "a test that cannot go on fails")]
 
+mod across;
 mod actions;
 mod calls;
 mod colors;

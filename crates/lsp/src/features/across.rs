@@ -1,6 +1,7 @@
 //! References and new names in all programs of the workspace that read the file of a declaration, open or not.
 
-use crate::convert::{Places, workspace_edit};
+use crate::change::{TextChange, WorkspaceChange};
+use crate::convert::Places;
 use crate::disk;
 use crate::dispatch::{Context, Fault};
 use crate::documents::{judge_by, layout_of, name_of};
@@ -9,11 +10,10 @@ use scenelang_base::Edit;
 use scenelang_ide::across::{Shared, shared};
 use scenelang_ide::{Host, Snapshot};
 use scenelang_lang::sources::Loader;
-use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
-use tower_lsp::ls_types::{Location, Position};
+use tower_lsp::ls_types::{Location, Position, Range};
 
 /// A program that names something, too.
 struct Other {
@@ -73,7 +73,7 @@ pub fn references(context: &Context, at: Position, declaration: bool, known: &mu
 ///
 /// # Errors
 /// One of the others has another meaning for the new name.
-pub fn rename(context: &Context, at: Position, new: &str, own: &[Edit]) -> Result<Value, Fault> {
+pub fn rename(context: &Context, at: Position, new: &str, own: &[Edit]) -> Result<WorkspaceChange, Fault> {
     let mut made = Made::default();
     made.add(&context.places(), own);
     if let Some(shared) = shared(&context.snapshot, context.offset(at))? {
@@ -83,7 +83,7 @@ pub fn rename(context: &Context, at: Position, new: &str, own: &[Edit]) -> Resul
             made.add(&other.places(context), &edits);
         }
     }
-    Ok(workspace_edit(made.listed(), context.edit_versions()))
+    Ok(WorkspaceChange::new(made.listed(), context.edit_versions()))
 }
 
 /// Edits by address and place: a file that several programs read is changed once.
@@ -99,8 +99,8 @@ impl Made {
         }
     }
 
-    fn listed(self) -> BTreeMap<String, Vec<Value>> {
-        let listed = |((start, end), text)| json!({ "range": { "start": start, "end": end }, "newText": text });
+    fn listed(self) -> BTreeMap<String, Vec<TextChange>> {
+        let listed = |((start, end), text)| TextChange::new(Range { start, end }, text);
         self.0.into_iter().map(|(uri, edits)| (uri, edits.into_iter().map(listed).collect())).collect()
     }
 }

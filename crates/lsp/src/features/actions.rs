@@ -1,8 +1,9 @@
 //! Code actions: what `ide` offers, at once; repairs and long edits, listed at once and worked out when they are chosen.
 
 use super::Within;
-use crate::commands::repair_command;
-use crate::dispatch::{Context, Fault, params};
+use crate::change::WorkspaceChange;
+use crate::commands::{REPAIR, Target, command, repair_command};
+use crate::dispatch::{Context, Fault, params, sent};
 use crate::publish::mark;
 use crate::repair::{Wanted, repair};
 use crate::state::State;
@@ -16,10 +17,10 @@ use scenelang_solve::repair::told::{PREFER, number_in_words};
 use scenelang_verify::World;
 use scenelang_verify::check::Subject;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 use tower_lsp::jsonrpc::Id;
-use tower_lsp::ls_types::{Range, Uri};
+use tower_lsp::ls_types::{ChangeAnnotation, Command, Diagnostic, LogMessageParams, MessageType, Range, Uri};
 
 /// Parameters of `textDocument/codeAction`.
 #[derive(Deserialize)]
@@ -35,10 +36,50 @@ struct Reason {
     only: Option<Vec<String>>,
 }
 
+const QUICK_FIX: &str = "quickfix";
 const FIX_ALL: &str = "source.fixAll.scenelang";
 
+/// `CodeAction`, with a change of ours.
+#[derive(Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Offered {
+    title: String,
+    kind: &'static str,
+    /// What it repairs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    diagnostics: Option<Vec<Diagnostic>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    edit: Option<WorkspaceChange>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    command: Option<Command>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    is_preferred: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    data: Option<About>,
+}
+
+/// What is known of an action besides: how it is worked out, or what it moves.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum About {
+    Later(Data),
+    /// For a picture of it before it is made.
+    Moves {
+        uri: Uri,
+        moves: Vec<Moved>,
+    },
+}
+
+/// Where an object stands afterwards.
+#[derive(Serialize)]
+struct Moved {
+    object: String,
+    pos: [f64; 3],
+    rot: [f64; 3],
+}
+
 /// `textDocument/codeAction`
-pub fn actions(context: &Context, asked: &CodeActionRequest) -> Result<Value, Fault> {
+pub fn actions(context: &Context, asked: &CodeActionRequest) -> Result<Vec<Offered>, Fault> {
     let range = context.bytes(asked.within.range);
     let only = asked.context.only.as_deref();
     let wanted = |kind: &str| {
@@ -47,14 +88,14 @@ pub fn actions(context: &Context, asked: &CodeActionRequest) -> Result<Value, Fa
     let detail = if context.client.resolves_edits { Detail::Titles } else { Detail::Edits };
     let offered = actions::actions(&context.snapshot, range, detail)?;
     let (moves, others): (Vec<Action>, Vec<Action>) = offered.into_iter().partition(|a| !a.moves.is_empty());
-    let mut out: Vec<Value> = Vec::new();
-    if wanted("quickfix") {
+    let mut out: Vec<Offered> = Vec::new();
+    if wanted(QUICK_FIX) {
         for action in &moves {
             // One move may repair several things that are marked here.
-            match out.iter_mut().find(|known| known["title"] == action.title.as_str()) {
+            match out.iter_mut().find(|known| known.title == action.title) {
                 Some(known) => {
                     let more = action.repairs.iter().map(|finding| marked(context, finding));
-                    known["diagnostics"].as_array_mut().into_iter().for_each(|all| all.extend(more.clone()));
+                    known.diagnostics.iter_mut().for_each(|all| all.extend(more.clone()));
                 }
                 None => out.push(shown(context, action, asked.within.range)),
             }
@@ -64,78 +105,66 @@ pub fn actions(context: &Context, asked: &CodeActionRequest) -> Result<Value, Fa
         }
     }
     let touched = |place: &TextRange| place.start <= range.end && range.start <= place.end;
-    for (_, name) in unplaced(&context.snapshot)?.iter().filter(|(place, _)| wanted("quickfix") && touched(place)) {
+    for (_, name) in unplaced(&context.snapshot)?.iter().filter(|(place, _)| wanted(QUICK_FIX) && touched(place)) {
         let title = format!("Place `{name}`");
-        let argument = json!({ "uri": context.uri, "object": name.as_str() });
-        let command = json!({ "title": title, "command": "scenelang.place", "arguments": [argument] });
-        out.push(json!({ "title": title, "kind": "quickfix", "command": command }));
+        let target = Target { object: Some(name.as_str()), ..Target::of(&context.uri) };
+        let command = Some(command(title.clone(), "scenelang.place", target)?);
+        out.push(Offered { title, kind: QUICK_FIX, command, ..Offered::default() });
     }
-    out.extend(
-        others
-            .iter()
-            .map(|a| shown(context, a, asked.within.range))
-            .filter(|a| wanted(a["kind"].as_str().unwrap_or_default())),
-    );
+    out.extend(others.iter().map(|a| shown(context, a, asked.within.range)).filter(|a| wanted(a.kind)));
     // All at once only where somebody asks for that.
     if only.is_some()
         && wanted(FIX_ALL)
         && let Some(edit) = actions::all_safe(&context.snapshot)?
     {
-        let edit = context.places().workspace_edit(&[edit], context.edit_versions());
-        out.push(json!({ "title": "Make all safe fixes", "kind": FIX_ALL, "edit": edit }));
+        let edit = Some(context.places().workspace_edit(&[edit], context.edit_versions()));
+        out.push(Offered { title: "Make all safe fixes".to_owned(), kind: FIX_ALL, edit, ..Offered::default() });
     }
-    Ok(out.into())
+    Ok(out)
 }
 
 /// An action as the protocol has it, with what finds it again where its edits are to be worked out.
-fn shown(context: &Context, action: &Action, range: Range) -> Value {
+fn shown(context: &Context, action: &Action, range: Range) -> Offered {
     let kind = match action.kind {
-        ActionKind::Fix => "quickfix",
+        ActionKind::Fix => QUICK_FIX,
         ActionKind::Extract => "refactor.extract",
         ActionKind::Inline => "refactor.inline",
         ActionKind::Rewrite => "refactor.rewrite",
     };
-    let mut out = json!({ "title": action.title, "kind": kind });
+    let mut out = Offered { title: action.title.clone(), kind, ..Offered::default() };
     if action.edits.is_empty() && context.client.resolves_edits {
-        out["data"] = json!(Chosen { uri: context.uri.clone(), range, title: action.title.clone() });
+        let chosen = Chosen { uri: context.uri.clone(), range, title: action.title.clone() };
+        out.data = Some(About::Later(Data::Edits(chosen)));
     } else {
         let edit = context.places().workspace_edit(&action.edits, context.edit_versions());
-        out["edit"] = if action.moves.is_empty() { edit } else { to_confirm(context, edit, &action.title) };
+        out.edit = Some(if action.moves.is_empty() { edit } else { to_confirm(context, edit, &action.title) });
     }
     if !action.moves.is_empty() {
-        let ghost =
-            |m: &Ghost| json!({ "object": m.object, "pos": <[f64; 3]>::from(m.pos), "rot": <[f64; 3]>::from(m.rot) });
-        out["data"] = json!({ "uri": context.uri, "moves": action.moves.iter().map(ghost).collect::<Vec<_>>() });
+        let ghost = |m: &Ghost| Moved { object: m.object.clone(), pos: m.pos.into(), rot: m.rot.into() };
+        let moves = action.moves.iter().map(ghost).collect();
+        out.data = Some(About::Moves { uri: context.uri.clone(), moves });
     }
-    if let Some(finding) = &action.repairs {
-        out["diagnostics"] = json!([marked(context, finding)]);
-    }
-    if action.preferred {
-        out["isPreferred"] = true.into();
-    }
+    out.diagnostics = action.repairs.as_ref().map(|finding| vec![marked(context, finding)]);
+    out.is_preferred = action.preferred.then_some(true);
     out
 }
 
-fn marked(context: &Context, finding: &Finding) -> Value {
+fn marked(context: &Context, finding: &Finding) -> Diagnostic {
     mark(&finding.diagnostic, context.file(), &context.places(), context.client.related)
 }
 
 /// An edit that the client shows before it is made, if it can.
-fn to_confirm(context: &Context, mut edit: Value, label: &str) -> Value {
-    if !context.client.annotates || edit["documentChanges"].is_null() {
-        return edit;
+fn to_confirm(context: &Context, mut edit: WorkspaceChange, label: &str) -> WorkspaceChange {
+    if context.client.annotates && edit.has_versions() {
+        let label = label.to_owned();
+        edit.annotate(ChangeAnnotation { label, needs_confirmation: Some(true), description: None });
     }
-    for change in edit["documentChanges"].as_array_mut().into_iter().flatten() {
-        let edits = change["edits"].as_array_mut().into_iter().flatten();
-        edits.for_each(|edit| edit["annotationId"] = "change".into());
-    }
-    edit["changeAnnotations"] = json!({ "change": { "label": label, "needsConfirmation": true } });
     edit
 }
 
 /// Changes of the program after which a statement holds in the layout as it is: another number; the assertion as a
 /// preference. Whether there is such a number.
-fn changes(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result<bool, Fault> {
+fn changes(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Result<bool, Fault> {
     let (Some(judged), Some(layout)) = (context.snapshot.judged()?, context.snapshot.layout()) else {
         return Ok(false);
     };
@@ -144,11 +173,12 @@ fn changes(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result
     let (program, sources) = (&judged.compiled.program, context.snapshot.sources());
     let Some(constraint) = program.constraints.get(index) else { return Ok(false) };
     let mut add = |title: String, edit: Edit| {
-        if out.iter().all(|known| known["title"] != title.as_str()) {
+        if out.iter().all(|known| known.title != title) {
             let edit = context.places().workspace_edit(&[edit], context.edit_versions());
-            let (edit, marks) = (to_confirm(context, edit, &title), json!([marked(context, finding)]));
-            let data = json!({ "uri": context.uri, "moves": [] });
-            out.push(json!({ "title": title, "kind": "quickfix", "diagnostics": marks, "edit": edit, "data": data }));
+            let edit = Some(to_confirm(context, edit, &title));
+            let diagnostics = Some(vec![marked(context, finding)]);
+            let data = Some(About::Moves { uri: context.uri.clone(), moves: Vec::new() });
+            out.push(Offered { title, kind: QUICK_FIX, diagnostics, edit, data, ..Offered::default() });
         }
     };
     let world = World::<f64>::new(program, &layout.read.layout, &context.snapshot.judging().options);
@@ -169,34 +199,32 @@ fn changes(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result
 const ASSERT: &str = "assert";
 
 /// Repair of something that fails, by changes of the program and by longer searches.
-fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Value>) -> Result<(), Fault> {
+fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Result<(), Fault> {
     let Some(label) = &finding.diagnostic.primary else { return Ok(()) };
     let line = context.range(label.place.range).start.line;
-    let marks = json!([marked(context, finding)]);
-    let listed = |list: &[Value], title: &str| list.iter().any(|a| a["title"] == title);
+    let listed = |list: &[Offered], title: &str| list.iter().any(|a| a.title == title);
+    let offer = |title: &str| {
+        let diagnostics = Some(vec![marked(context, finding)]);
+        Offered { title: title.to_owned(), kind: QUICK_FIX, diagnostics, ..Offered::default() }
+    };
     let number = changes(context, finding, out)?;
     if context.client.resolves_edits {
-        for (title, program) in [("Repair this constraint", false), ("Change the program so that this holds", true)] {
+        for (title, program) in [(REPAIR, false), ("Change the program so that this holds", true)] {
             // What has a number of its own to be changed needs no search for one.
             let needless = program && number;
             if !needless && !listed(out, title) {
-                out.push(json!({
-                    "title": title, "kind": "quickfix", "diagnostics": marks,
-                    "data": { "uri": context.uri, "line": line, "program": program },
-                }));
+                let data = Some(About::Later(Data::Repair { uri: context.uri.clone(), line, program }));
+                out.push(Offered { data, ..offer(title) });
             }
         }
-    } else if !listed(out, "Repair this constraint") {
-        let command = repair_command(&context.uri, line);
-        out.push(json!({
-            "title": "Repair this constraint", "kind": "quickfix", "diagnostics": marks, "command": command,
-        }));
+    } else if !listed(out, REPAIR) {
+        out.push(Offered { command: Some(repair_command(&context.uri, line)?), ..offer(REPAIR) });
     }
     Ok(())
 }
 
 /// What is to be worked out.
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(untagged)]
 enum Data {
     Repair { uri: Uri, line: u32, program: bool },
@@ -216,7 +244,7 @@ fn completed(context: &Context, mut action: Value, chosen: &Chosen) -> Result<Va
     let all = actions::actions(&context.snapshot, context.bytes(chosen.range), Detail::Edits)?;
     let found = all.iter().find(|a| a.title == chosen.title);
     let found = found.ok_or_else(|| Fault::Failed(format!("\"{}\" is no longer possible", chosen.title)))?;
-    action["edit"] = context.places().workspace_edit(&found.edits, context.edit_versions());
+    action["edit"] = sent(context.places().workspace_edit(&found.edits, context.edit_versions()))?;
     Ok(action)
 }
 
@@ -242,13 +270,14 @@ impl State {
         let wanted = if program { Wanted::Program(line) } else { Wanted::Line(line) };
         let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::JobOutcome| {
             // An action that does nothing when it is chosen looks like one that failed without a word.
-            let Some(edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
-            action["edit"] = edit;
-            if let Some(note) = action.pointer_mut("/edit/changeAnnotations/change") {
-                note["needsConfirmation"] = true.into();
-            }
-            state.tell("window/logMessage", json!({ "type": 3, "message": outcome.message }));
-            state.reply(id, Ok(action));
+            let Some(mut edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
+            edit.ask_first();
+            state.tell("window/logMessage", LogMessageParams { typ: MessageType::INFO, message: outcome.message });
+            let completed = sent(edit).map(|edit| {
+                action["edit"] = edit;
+                action
+            });
+            state.reply(id, completed);
         });
         self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted, &[]), finish)
     }

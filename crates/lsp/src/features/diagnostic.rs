@@ -3,7 +3,7 @@
 use crate::client::Client;
 use crate::config::Config;
 use crate::disk::{self, Files, Reach};
-use crate::dispatch::{Context, Fault, Tokens};
+use crate::dispatch::{Context, Fault, Tokens, sent};
 use crate::documents::{judge_by, layout_of, name_of};
 use crate::publish::verdict;
 use crate::reading::copied;
@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 use scenelang_ide::Host;
 use scenelang_lang::sources::Loader;
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::hash::{Hash, Hasher};
@@ -21,7 +21,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tower_lsp::jsonrpc::Id;
-use tower_lsp::ls_types::{TextDocumentIdentifier, Uri};
+use tower_lsp::ls_types::{
+    Diagnostic, DocumentDiagnosticReport, FullDocumentDiagnosticReport, RelatedFullDocumentDiagnosticReport,
+    RelatedUnchangedDocumentDiagnosticReport, TextDocumentIdentifier, UnchangedDocumentDiagnosticReport, Uri,
+    WorkspaceDiagnosticReport, WorkspaceDocumentDiagnosticReport, WorkspaceFullDocumentDiagnosticReport,
+    WorkspaceUnchangedDocumentDiagnosticReport,
+};
 
 /// Parameters of `textDocument/diagnostic`.
 #[derive(Deserialize)]
@@ -33,14 +38,20 @@ pub struct DiagnosticRequest {
 }
 
 /// `textDocument/diagnostic`
-pub fn document(context: &Context, params: &DiagnosticRequest) -> Result<Value, Fault> {
+pub fn document(context: &Context, params: &DiagnosticRequest) -> Result<DocumentDiagnosticReport, Fault> {
     let id = context.generation.to_string();
     if params.previous_result_id.as_deref() == Some(&id) {
-        return Ok(json!({ "kind": "unchanged", "resultId": id }));
+        let known = UnchangedDocumentDiagnosticReport { result_id: id };
+        let report = RelatedUnchangedDocumentDiagnosticReport {
+            related_documents: None,
+            unchanged_document_diagnostic_report: known,
+        };
+        return Ok(report.into());
     }
     let mut marks = verdict(context)?.marks;
     let own = marks.remove(context.uri.as_str()).unwrap_or_default();
-    Ok(json!({ "kind": "full", "resultId": id, "items": own }))
+    let all = FullDocumentDiagnosticReport { result_id: Some(id), items: own };
+    Ok(RelatedFullDocumentDiagnosticReport { related_documents: None, full_document_diagnostic_report: all }.into())
 }
 
 /// What a question about the workspace needs.
@@ -75,7 +86,7 @@ impl State {
                 // What changed while it was looked at may have been looked at before.
                 Ok((_, false)) if state.wakes != wakes => state.workspace_diagnostic(&id, given),
                 Ok((_, false)) => state.waiting.push((id, given)),
-                Ok((items, true)) => state.reply(&id, Ok(json!({ "items": items }))),
+                Ok((items, true)) => state.reply(&id, sent(WorkspaceDiagnosticReport { items })),
                 Err(fault) => state.reply(&id, Err(fault)),
             })));
         });
@@ -102,7 +113,7 @@ impl Loader for Once<'_> {
 
 impl Workspace {
     /// A report for each program, and whether any says something new.
-    fn reports(&self) -> (Vec<Value>, bool) {
+    fn reports(&self) -> (Vec<WorkspaceDocumentDiagnosticReport>, bool) {
         let mut items = Vec::new();
         let mut news = self.before.is_empty();
         let mut known = self.before.clone();
@@ -117,14 +128,20 @@ impl Workspace {
         }
         // Nothing is said any more of files that are gone, once; open ones are asked about one by one.
         let gone = known.into_keys().filter(|uri| self.open.values().all(|open| open.as_str() != uri));
-        for uri in gone {
-            items.push(json!({ "kind": "full", "uri": uri, "version": null, "items": [] }));
+        for uri in gone.filter_map(|uri| uri.parse().ok()) {
+            items.push(full(uri, None, Vec::new()));
             news = true;
         }
         (items, news)
     }
 
-    fn report(&self, path: &Path, uri: &Uri, before: Option<&str>, read: &Read) -> Option<(Value, bool)> {
+    fn report(
+        &self,
+        path: &Path,
+        uri: &Uri,
+        before: Option<&str>,
+        read: &Read,
+    ) -> Option<(WorkspaceDocumentDiagnosticReport, bool)> {
         let reach = self.files.of(path);
         let files = Once { reach: &reach, read };
         let text = String::from_utf8_lossy(&files.load(path).ok()?).into_owned();
@@ -137,7 +154,11 @@ impl Workspace {
         settings.sources.iter().for_each(|(_, file)| file.text().hash(&mut hasher));
         let id = format!("{:016x}", hasher.finish());
         if before == Some(&id) {
-            return Some((json!({ "kind": "unchanged", "uri": uri, "version": null, "resultId": id }), false));
+            let unchanged_document_diagnostic_report = UnchangedDocumentDiagnosticReport { result_id: id };
+            let (uri, version) = (uri.clone(), None);
+            let report =
+                WorkspaceUnchangedDocumentDiagnosticReport { uri, version, unchanged_document_diagnostic_report };
+            return Some((report.into(), false));
         }
         let context = Context {
             uri: uri.clone(),
@@ -157,6 +178,12 @@ impl Workspace {
             roots: Arc::clone(&self.roots),
         };
         let own = verdict(&context).ok()?.marks.remove(uri.as_str()).unwrap_or_default();
-        Some((json!({ "kind": "full", "uri": uri, "version": null, "resultId": id, "items": own }), true))
+        Some((full(uri.clone(), Some(id), own), true))
     }
+}
+
+/// All that is marked in a file that is not open.
+fn full(uri: Uri, result_id: Option<String>, items: Vec<Diagnostic>) -> WorkspaceDocumentDiagnosticReport {
+    let full_document_diagnostic_report = FullDocumentDiagnosticReport { result_id, items };
+    WorkspaceFullDocumentDiagnosticReport { uri, version: None, full_document_diagnostic_report }.into()
 }

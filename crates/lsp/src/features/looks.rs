@@ -2,8 +2,9 @@
 
 use super::navigation::Positions;
 use super::{Whole, Within};
+use crate::commands::{Target, command};
 use crate::disk::{self, Files};
-use crate::dispatch::{Context, Fault};
+use crate::dispatch::{Context, Fault, sent};
 use crate::text::{Encoding, Text};
 use scenelang_base::TextRange;
 use scenelang_ide::hints::{self, HintKind, Lens};
@@ -11,19 +12,18 @@ use scenelang_ide::shape::{self, Fold, Link};
 use scenelang_ide::{colors, tokens};
 use scenelang_lang::sources::normal;
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::PoisonError;
 use tower_lsp::ls_types::{
-    CodeLens, ColorPresentation, Command, DocumentLink, FoldingRange, FoldingRangeKind, InlayHint, InlayHintLabel,
-    InlayHintTooltip, MarkupContent, MarkupKind, Position, Range, SelectionRange, TextDocumentIdentifier, TextEdit,
-    Uri,
+    CodeLens, ColorPresentation, DocumentLink, FoldingRange, FoldingRangeKind, InlayHint, InlayHintLabel,
+    InlayHintTooltip, MarkupContent, MarkupKind, Position, Range, SelectionRange, SemanticToken, SemanticTokens,
+    SemanticTokensDelta, SemanticTokensEdit, SemanticTokensFullDeltaResult, TextDocumentIdentifier, TextEdit, Uri,
 };
 
 // ── Semantic tokens ──
 
-/// Tokens as the protocol has them: five numbers each, relative to the one before; one that goes over several lines is cut.
-fn encoded(context: &Context, within: Option<TextRange>) -> Result<Vec<u32>, Fault> {
+/// Tokens as the protocol has them, each relative to the one before; one that goes over several lines is cut.
+fn encoded(context: &Context, within: Option<TextRange>) -> Result<Vec<SemanticToken>, Fault> {
     let text = &context.text;
     let encoding = context.client.encoding;
     let mut out = Vec::new();
@@ -38,8 +38,13 @@ fn encoded(context: &Context, within: Option<TextRange>) -> Result<Vec<u32>, Fau
             }
             let at = encoding.len(&text.as_str()[own.start as usize..from as usize]);
             let length = encoding.len(&text.as_str()[from as usize..to as usize]);
-            let ahead = if number == line { at - column } else { at };
-            out.extend([number - line, ahead, length, token.ty as u32, token.modifiers]);
+            out.push(SemanticToken {
+                delta_line: number - line,
+                delta_start: if number == line { at - column } else { at },
+                length,
+                token_type: token.ty as u32,
+                token_modifiers_bitset: token.modifiers,
+            });
             (line, column) = (number, at);
         }
     }
@@ -47,17 +52,16 @@ fn encoded(context: &Context, within: Option<TextRange>) -> Result<Vec<u32>, Fau
 }
 
 /// `textDocument/semanticTokens/full`
-pub fn tokens_full(context: &Context, _: &Whole) -> Result<Value, Fault> {
+pub fn tokens_full(context: &Context, _: &Whole) -> Result<SemanticTokens, Fault> {
     let data = encoded(context, None)?;
     let id = context.generation.to_string();
-    let out = json!({ "resultId": id, "data": data });
-    *context.tokens.lock().unwrap_or_else(PoisonError::into_inner) = Some((id, data));
-    Ok(out)
+    *context.tokens.lock().unwrap_or_else(PoisonError::into_inner) = Some((id.clone(), data.clone()));
+    Ok(SemanticTokens { result_id: Some(id), data })
 }
 
 /// `textDocument/semanticTokens/range`
-pub fn tokens_range(context: &Context, within: &Within) -> Result<Value, Fault> {
-    Ok(json!({ "data": encoded(context, Some(context.bytes(within.range)))? }))
+pub fn tokens_range(context: &Context, within: &Within) -> Result<SemanticTokens, Fault> {
+    Ok(SemanticTokens { result_id: None, data: encoded(context, Some(context.bytes(within.range)))? })
 }
 
 /// Parameters of `textDocument/semanticTokens/full/delta`.
@@ -70,22 +74,24 @@ pub struct Delta {
 }
 
 /// `textDocument/semanticTokens/full/delta`
-pub fn tokens_delta(context: &Context, params: &Delta) -> Result<Value, Fault> {
+pub fn tokens_delta(context: &Context, params: &Delta) -> Result<SemanticTokensFullDeltaResult, Fault> {
     let data = encoded(context, None)?;
     let id = context.generation.to_string();
     let mut known = context.tokens.lock().unwrap_or_else(PoisonError::into_inner);
     let before = known.replace((id.clone(), data.clone())).filter(|(id, _)| *id == params.previous_result_id);
-    let Some((_, before)) = before else { return Ok(json!({ "resultId": id, "data": data })) };
-    let head = before.iter().zip(&data).take_while(|(a, b)| a == b).count() / 5 * 5;
+    let Some((_, before)) = before else { return Ok(SemanticTokens { result_id: Some(id), data }.into()) };
+    let head = before.iter().zip(&data).take_while(|(a, b)| a == b).count();
     let (a, b) = (&before[head..], &data[head..]);
-    let tail = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count() / 5 * 5;
+    let tail = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count();
     let (removed, added) = (a.len() - tail, &b[..b.len() - tail]);
     let edits = if removed == 0 && added.is_empty() {
         Vec::new()
     } else {
-        vec![json!({ "start": head, "deleteCount": removed, "data": added })]
+        // The client counts numbers, and has five for each token.
+        let [start, delete_count] = [head, removed].map(|tokens| 5 * tokens as u32);
+        vec![SemanticTokensEdit { start, delete_count, data: Some(added.to_vec()) }]
     };
-    Ok(json!({ "resultId": id, "edits": edits }))
+    Ok(SemanticTokensDelta { result_id: Some(id), edits }.into())
 }
 
 // ── Shape ──
@@ -146,15 +152,28 @@ fn link_to(range: Range, target: Uri) -> DocumentLink {
 
 // ── Colours ──
 
+/// `ColorInformation`; the type of the protocol's library has shares of single precision, which are written as other numbers.
+#[derive(Serialize)]
+pub struct Coloured {
+    range: Range,
+    color: Shares,
+}
+
+#[derive(Serialize)]
+struct Shares {
+    red: f64,
+    green: f64,
+    blue: f64,
+    alpha: f64,
+}
+
 /// `textDocument/documentColor`
-pub fn colours(context: &Context, _: &Whole) -> Result<Value, Fault> {
+pub fn colours(context: &Context, _: &Whole) -> Result<Vec<Coloured>, Fault> {
     let share = |x: u8| f64::from(x) / 255.0;
     let found = colors::colors(&context.snapshot)?;
-    let shown = found.into_iter().map(|(range, [r, g, b])| {
-        json!({
-            "range": context.range(range),
-            "color": { "red": share(r), "green": share(g), "blue": share(b), "alpha": 1.0 },
-        })
+    let shown = found.into_iter().map(|(range, [r, g, b])| Coloured {
+        range: context.range(range),
+        color: Shares { red: share(r), green: share(g), blue: share(b), alpha: 1.0 },
     });
     Ok(shown.collect())
 }
@@ -197,10 +216,11 @@ pub fn inlay_hints(context: &Context, within: &Within) -> Result<Vec<InlayHint>,
         HintKind::Size => on.sizes,
     };
     let found = hints::hints(&context.snapshot, context.bytes(within.range))?;
-    let found = found.into_iter().filter(|hint| shown(hint.kind)).map(|hint| {
+    let found = found.into_iter().filter(|hint| shown(hint.kind)).map(|hint| -> Result<InlayHint, Fault> {
         let position = context.text.position(hint.at, context.client.encoding);
         let resolved = hint.kind == HintKind::Margin && context.client.resolves_hints;
-        InlayHint {
+        let data = resolved.then(|| sent(About { uri: context.uri.clone(), position })).transpose()?;
+        Ok(InlayHint {
             position,
             label: InlayHintLabel::String(hint.label),
             kind: None,
@@ -208,10 +228,10 @@ pub fn inlay_hints(context: &Context, within: &Within) -> Result<Vec<InlayHint>,
             tooltip: Some(InlayHintTooltip::String(hint.tooltip)),
             padding_left: Some(true),
             padding_right: None,
-            data: resolved.then(|| json!(About { uri: context.uri.clone(), position })),
-        }
+            data,
+        })
     });
-    Ok(found.collect())
+    found.collect()
 }
 
 /// What a hint is about.
@@ -237,20 +257,24 @@ pub fn lenses(context: &Context, _: &Whole) -> Result<Vec<CodeLens>, Fault> {
     let mut out = Vec::new();
     for (range, lens) in hints::lenses(&context.snapshot)? {
         let range = context.range(range);
-        let mut push = |title: &str, command: &str, argument: Value| {
-            let command = Command::new(title.to_owned(), command.to_owned(), Some(vec![argument]));
-            out.push(CodeLens { range, command: Some(command), data: None });
+        let mut push = |title: &str, name: &str, target: Target<'_>| -> Result<(), Fault> {
+            let command = Some(command(title.to_owned(), name, target)?);
+            out.push(CodeLens { range, command, data: None });
+            Ok(())
         };
         match lens {
             Lens::Program => {
-                push("Check", "scenelang.check", json!({ "uri": uri }));
-                push("Solve", "scenelang.solve", json!({ "uri": uri }));
-                push("Repair", "scenelang.repairAll", json!({ "uri": uri }));
-                push("Show", "scenelang.show", json!({ "uri": uri }));
+                push("Check", "scenelang.check", Target::of(uri))?;
+                push("Solve", "scenelang.solve", Target::of(uri))?;
+                push("Repair", "scenelang.repairAll", Target::of(uri))?;
+                push("Show", "scenelang.show", Target::of(uri))?;
             }
-            Lens::Failing => push("Repair", "scenelang.repair", json!({ "uri": uri, "line": range.start.line })),
+            Lens::Failing => {
+                push("Repair", "scenelang.repair", Target { line: Some(range.start.line), ..Target::of(uri) })?;
+            }
             Lens::Unplaced(name) => {
-                push(&format!("Place `{name}`"), "scenelang.place", json!({ "uri": uri, "object": name.as_str() }));
+                let target = Target { object: Some(name.as_str()), ..Target::of(uri) };
+                push(&format!("Place `{name}`"), "scenelang.place", target)?;
             }
         }
     }

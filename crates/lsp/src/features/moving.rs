@@ -1,9 +1,9 @@
 //! `workspace/willRenameFiles`: what has to be written anew when files and folders get other names, and layouts that go with
 //! their programs.
 
+use crate::change::{TextChange, WorkspaceChange};
 use crate::client::Client;
 use crate::config::Config;
-use crate::convert::workspace_edit;
 use crate::disk::{self, Files};
 use crate::documents::layout_of;
 use crate::text::Text;
@@ -11,7 +11,6 @@ use scenelang_base::{Edit, TextRange};
 use scenelang_ide::moving::{self, Moves};
 use scenelang_lang::sources::Loader;
 use serde::Deserialize;
-use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -46,8 +45,8 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// The edits that keep imports and layouts, to be made before the files are moved; null: nothing has to be.
-    pub fn edits(&self, asked: &Renames) -> Value {
+    /// The edits that keep imports and layouts, to be made before the files are moved; `None`: nothing has to be.
+    pub fn edits(&self, asked: &Renames) -> Option<WorkspaceChange> {
         let pairs = asked.files.iter().map(|file| (disk::path_of(&file.old_uri), disk::path_of(&file.new_uri)));
         let mut moves = Moves(pairs.collect());
         let programs = self.programs(&moves);
@@ -57,7 +56,7 @@ impl Workspace {
         let moved = moves.0.iter().map(|(from, _)| from.clone()).filter(|path| is_layout(path));
         let layouts = layouts.into_iter().chain(moved).collect::<BTreeSet<PathBuf>>();
 
-        let mut changes: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+        let mut changes: BTreeMap<String, Vec<TextChange>> = BTreeMap::new();
         for path in &programs {
             let there = |file: &Path| self.files.of(path).has(file);
             self.change(path, &mut changes, |text| moving::imports(path, text, &moves, &there));
@@ -67,19 +66,15 @@ impl Workspace {
             self.change(path, &mut changes, |text| moving::program(path, text, &moves, &there).into_iter().collect());
         }
         if changes.is_empty() && follow.is_empty() {
-            return Value::Null;
+            return None;
         }
-        let mut out = workspace_edit(changes, self.client.document_changes.then_some(&self.versions));
-        if let Some(list) = out["documentChanges"].as_array_mut() {
-            let renamed = |(from, to): &(PathBuf, PathBuf)| {
-                let options = json!({ "ignoreIfExists": true });
-                Some(
-                    json!({ "kind": "rename", "oldUri": self.uri(from)?, "newUri": disk::uri_of(to)?, "options": options }),
-                )
-            };
-            list.extend(follow.iter().filter_map(renamed));
+        let mut out = WorkspaceChange::new(changes, self.client.document_changes.then_some(&self.versions));
+        for (from, to) in &follow {
+            if let (Some(old), Some(new)) = (self.uri(from), disk::uri_of(to)) {
+                out.rename(old, new);
+            }
         }
-        out
+        Some(out)
     }
 
     /// Programs that may have to be changed: those of the workspace, open ones, and those that are moved.
@@ -110,7 +105,7 @@ impl Workspace {
     fn change(
         &self,
         path: &Path,
-        changes: &mut BTreeMap<String, Vec<Value>>,
+        changes: &mut BTreeMap<String, Vec<TextChange>>,
         edits: impl FnOnce(&str) -> Vec<Edit<TextRange>>,
     ) {
         let Some(bytes) = self.files.of(path).load(path).ok() else { return };
@@ -120,7 +115,8 @@ impl Workspace {
             return;
         }
         let text = Text::new(text);
-        let shown = |edit: &Edit<TextRange>| json!({ "range": text.range(edit.place, self.client.encoding), "newText": edit.text });
+        let shown =
+            |edit: &Edit<TextRange>| TextChange::new(text.range(edit.place, self.client.encoding), edit.text.clone());
         changes.insert(uri.as_str().to_owned(), edits.iter().map(shown).collect());
     }
 }

@@ -1,6 +1,7 @@
 //! Hovering, and going from names to where they come from and where they are used.
 
 use super::{At, Whole, across};
+use crate::change::WorkspaceChange;
 use crate::disk;
 use crate::dispatch::{Context, Fault};
 use crate::pages;
@@ -135,7 +136,7 @@ pub struct Rename {
 }
 
 /// `textDocument/rename`
-pub fn rename(context: &Context, params: &Rename) -> Result<serde_json::Value, Fault> {
+pub fn rename(context: &Context, params: &Rename) -> Result<WorkspaceChange, Fault> {
     let edits = renaming::rename(&context.snapshot, context.offset(params.at.position), &params.new_name)?;
     across::rename(context, params.at.position, &params.new_name, &edits.map_err(Fault::Failed)?)
 }

@@ -2,11 +2,10 @@
 
 use crate::disk;
 use crate::dispatch::{Context, Fault};
-use crate::picture::Picture;
+use crate::picture::{Picture, Shown};
 use scenelang_ide::{forms, symbols};
-use serde::Deserialize;
-use serde_json::{Value, json};
-use tower_lsp::ls_types::Uri;
+use serde::{Deserialize, Serialize};
+use tower_lsp::ls_types::{Range, Uri};
 
 /// Parameters of `scenelang/scene`.
 #[derive(Deserialize)]
@@ -17,20 +16,35 @@ pub struct Seen {
     known: Option<String>,
 }
 
+/// What `scenelang/scene` answers.
+#[derive(Serialize)]
+pub struct SceneAnswer {
+    #[serde(flatten)]
+    shown: Shown,
+    /// The address of the layout; null: the program has none.
+    layout: Option<Uri>,
+    objects: Vec<Declared>,
+}
+
+/// An object, or an array of them, and where its name is declared.
+#[derive(Serialize)]
+struct Declared {
+    name: String,
+    range: Range,
+}
+
 /// `scenelang/scene`
-pub fn scene(context: &Context, seen: &Seen) -> Result<Value, Fault> {
+pub fn scene(context: &Context, seen: &Seen) -> Result<SceneAnswer, Fault> {
     let snapshot = &context.snapshot;
     let places = context.places();
-    let objects: Vec<Value> = symbols::outline(snapshot, context.file())?
+    let objects: Vec<Declared> = symbols::outline(snapshot, context.file())?
         .into_iter()
         .filter(|e| matches!(e.sort, symbols::Sort::Object | symbols::Sort::Array))
-        .map(|e| json!({ "name": e.name, "range": context.range(e.name_range) }))
+        .map(|e| Declared { name: e.name, range: context.range(e.name_range) })
         .collect();
     let layout = context.layout.as_deref().and_then(disk::uri_of);
     let (Some(judged), Some(file)) = (snapshot.judged()?, snapshot.layout()) else {
-        return Ok(json!({
-            "layout": null, "data": null, "holds": 0, "total": 0, "constraints": [], "objects": objects,
-        }));
+        return Ok(SceneAnswer { shown: Shown::default(), layout: None, objects });
     };
     let picture = Picture {
         path: &context.path,
@@ -44,10 +58,7 @@ pub fn scene(context: &Context, seen: &Seen) -> Result<Value, Fault> {
         options: &snapshot.judging().options,
         looks: &context.looks,
     };
-    let mut out = picture.value(&places, seen.known.as_deref())?;
-    out["layout"] = json!(layout);
-    out["objects"] = objects.into();
-    Ok(out)
+    Ok(SceneAnswer { shown: picture.shown(&places, seen.known.as_deref())?, layout, objects })
 }
 
 /// Parameters of `scenelang/forms`.
@@ -66,8 +77,14 @@ enum Kind {
     Constraints,
 }
 
+/// What `scenelang/forms` answers.
+#[derive(Serialize)]
+pub struct FormText {
+    text: String,
+}
+
 /// `scenelang/forms`
-pub fn forms(context: &Context, params: &Form) -> Result<Value, Fault> {
+pub fn forms(context: &Context, params: &Form) -> Result<FormText, Fault> {
     let snapshot = &context.snapshot;
     let sources = snapshot.sources();
     let text = match params.form {
@@ -75,5 +92,5 @@ pub fn forms(context: &Context, params: &Form) -> Result<Value, Fault> {
         Kind::Hir => forms::hir::text(sources.get(context.file()), sources, &snapshot.meanings()?),
         Kind::Constraints => forms::constraints::text(&snapshot.compiled()?.program, sources, context.file()),
     };
-    Ok(json!({ "text": text }))
+    Ok(FormText { text })
 }

@@ -84,3 +84,17 @@ fn a_layout_stays_where_it_cannot_be_moved() {
     assert_eq!(change["documentChanges"].as_array().unwrap().len(), 1);
     client.stop();
 }
+
+/// A client without versions gets edits by address, and no member that it does not know.
+#[test]
+fn edits_for_a_client_without_versions() {
+    let (folder, ..) = room();
+    let mut can = usual();
+    can["workspace"]["fileOperations"] = json!({ "willRename": true });
+    can["workspace"]["workspaceEdit"] = json!({});
+    let mut client = Client::start_with(folder.path(), can, Value::Null);
+    let change = renamed(&mut client, &[("room.scene", "hall.scene")]);
+    let members: Vec<&String> = change.as_object().unwrap().keys().collect();
+    assert_eq!(members, ["changes"], "{change}");
+    client.stop();
+}

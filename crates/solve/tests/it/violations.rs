@@ -1,5 +1,5 @@
-//! One violation of each kind in a furnished room: what is offered to repair it, in the order in which it is offered, and what
-//! is said of contradictions (`studio/cases.txt`). None of it takes a search.
+//! One violation of each kind in furnished rooms: what is offered to repair it, in the order in which it is offered, and what
+//! is said of contradictions (`studio/cases.txt`, `clinic/cases.txt`). None of it takes a search.
 
 use scenelang_base::{FileId, SourceFile, SourceMap};
 use scenelang_lang::compile_main;
@@ -11,9 +11,28 @@ use scenelang_verify::rules::support;
 use scenelang_verify::{Options, World, check};
 use std::path::Path;
 
-const SCENE: &str = include_str!("studio/studio.scene");
-const LAYOUT: &str = include_str!("studio/studio.layout.json");
-const CASES: &str = include_str!("studio/cases.txt");
+/// A room in which all holds, and cases that damage it.
+struct Room {
+    file: &'static str,
+    scene: &'static str,
+    layout: &'static str,
+    cases: &'static str,
+}
+
+const ROOMS: [Room; 2] = [
+    Room {
+        file: "studio.scene",
+        scene: include_str!("studio/studio.scene"),
+        layout: include_str!("studio/studio.layout.json"),
+        cases: include_str!("studio/cases.txt"),
+    },
+    Room {
+        file: "clinic.scene",
+        scene: include_str!("clinic/clinic.scene"),
+        layout: include_str!("clinic/clinic.layout.json"),
+        cases: include_str!("clinic/cases.txt"),
+    },
+];
 
 /// A way to damage the room, and what is to be offered.
 #[derive(Default)]
@@ -27,9 +46,9 @@ struct Case {
     offered: Vec<String>,
 }
 
-fn cases() -> Vec<Case> {
+fn cases(room: &Room) -> Vec<Case> {
     let mut out: Vec<Case> = Vec::new();
-    for line in CASES.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")) {
+    for line in room.cases.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")) {
         if let Some(title) = line.strip_prefix("# ") {
             out.push(Case { title: title.to_owned(), ..Case::default() });
             continue;
@@ -58,8 +77,8 @@ impl Loader for Memory {
     }
 }
 
-fn layout() -> Layout {
-    let read = file::read(LAYOUT, FileId(0));
+fn layout(room: &Room) -> Layout {
+    let read = file::read(room.layout, FileId(0));
     assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
     read.layout
 }
@@ -71,22 +90,22 @@ fn is_move(alternative: &Alternative) -> bool {
 #[test]
 fn the_first_choice_is_what_a_person_would_do() {
     let mut wrong = Vec::new();
-    for case in cases() {
+    for (room, case) in ROOMS.iter().flat_map(|room| cases(room).into_iter().map(move |case| (room, case))) {
         let name = &case.title;
-        let text = Memory(format!("{SCENE}{}", case.added));
-        let path = Path::new("studio.scene");
+        let text = Memory(format!("{}{}", room.scene, case.added));
+        let path = Path::new(room.file);
         let mut sources = SourceMap::new();
-        let main = sources.add(SourceFile::new("studio.scene", path, &text.0));
+        let main = sources.add(SourceFile::new(room.file, path, &text.0));
         let compiled = compile_main(main, scenelang_lang::Options::default(), &text, sources);
         let program = compiled.program.unwrap_or_else(|| panic!("{name}: {:?}", compiled.diagnostics));
-        let mut hurt = layout();
+        let mut hurt = layout(room);
         for (moved, pos, yaw) in &case.moved {
             let (_, placed) = hurt.objects.iter_mut().find(|(n, _)| n == moved).unwrap_or_else(|| panic!("{moved}"));
             placed.pos = pos.unwrap_or(placed.pos);
             placed.rot.y = yaw.unwrap_or(placed.rot.y);
         }
         let source = Text {
-            name: "studio.scene",
+            name: room.file,
             path,
             compile: scenelang_lang::Options::default(),
             loader: &text,
@@ -128,17 +147,16 @@ fn the_first_choice_is_what_a_person_would_do() {
 }
 
 #[test]
-fn the_room_itself_holds() {
-    let compiled = scenelang_lang::compile_text(
-        "studio.scene",
-        Path::new("studio.scene"),
-        SCENE,
-        scenelang_lang::Options::default(),
-    );
-    let program = compiled.program.expect("it compiles");
-    assert_eq!(program.objects.len(), 17);
-    let verdict = check(&program, &layout(), &Options::default());
-    assert!(verdict.rows.iter().all(|row| row.satisfied == Some(true)));
-    // Each case damages it.
-    assert!(cases().len() >= 10 && cases().iter().all(|case| !case.offered.is_empty()));
+fn the_rooms_themselves_hold() {
+    for room in &ROOMS {
+        let path = Path::new(room.file);
+        let compiled = scenelang_lang::compile_text(room.file, path, room.scene, scenelang_lang::Options::default());
+        let program = compiled.program.expect("it compiles");
+        assert_eq!(program.objects.len(), 17, "{}", room.file);
+        let verdict = check(&program, &layout(room), &Options::default());
+        assert!(verdict.rows.iter().all(|row| row.satisfied == Some(true)), "{}", room.file);
+        // Each case damages it.
+        let cases = cases(room);
+        assert!(cases.len() >= 10 && cases.iter().all(|case| !case.offered.is_empty()), "{}", room.file);
+    }
 }
