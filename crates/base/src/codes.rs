@@ -151,6 +151,7 @@ codes! {
     W0503 "object inside a wall"
     W0504 "scene edited since export"
     W0505 "incomplete third-party file"
+    W0506 "member of a layout that is not read"
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
     W0603 "furniture provider skipped"

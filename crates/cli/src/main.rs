@@ -31,6 +31,7 @@ mod mcp;
 mod model;
 mod parallel;
 mod permissions;
+mod plain;
 mod progress;
 mod query;
 mod rebuild;

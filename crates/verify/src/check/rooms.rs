@@ -65,18 +65,43 @@ fn too_close(
         }
     }
     let walls = 2.0 * world.options.eta;
-    if least < walls - tolerances.contact {
-        let (a, b) = (&program.regions[a.0 as usize], &program.regions[b.0 as usize]);
-        let metres = |x: f64| number(x, Unit::Metre);
-        let message = format!(
-            "`{}` and `{}` are {} m apart, but their walls need {} m",
-            a.name,
-            b.name,
-            metres(least),
-            metres(walls)
-        );
-        out.push(Diagnostic::new(codes::W0502, b.span, message).related(a.span, "the other room"));
+    if least >= walls - tolerances.contact {
+        return;
     }
+    let overlap = overlap(first, second).filter(|depth| *depth > tolerances.contact);
+    let (a, b) = (&program.regions[a.0 as usize], &program.regions[b.0 as usize]);
+    let metres = |x: f64| number(x, Unit::Metre);
+    let message = match overlap {
+        Some(depth) => format!("`{}` and `{}` overlap by {} m", a.name, b.name, metres(depth)),
+        None => {
+            let (least, walls) = (metres(least), metres(walls));
+            format!("`{}` and `{}` are {least} m apart, but their walls need {walls} m", a.name, b.name)
+        }
+    };
+    let finding = Diagnostic::new(codes::W0502, b.span, message).related(a.span, "the other room");
+    out.push(match overlap {
+        Some(_) => finding.note(format!("each room has its own walls: leave {} m between the rooms", metres(walls))),
+        None => finding,
+    });
+}
+
+/// How far one of two rooms has to be moved along x or z for them to touch, by the rectangles around them; `None` where
+/// they are apart, or an outline is no rectangle.
+fn overlap(first: &Prism, second: &Prism) -> Option<f64> {
+    let range = |prism: &Prism, axis: fn(&Vec2) -> f64| {
+        let along = prism.polygon.corners().iter().map(axis);
+        along.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], x| [lo.min(x), hi.max(x)])
+    };
+    let [x, z]: [fn(&Vec2) -> f64; 2] = [|p| p.x, |p| p.y];
+    let fills = |prism: &Prism| {
+        let sides = [x, z].map(|axis| range(prism, axis)).map(|[lo, hi]| hi - lo);
+        prism.area() > 0.999 * sides[0] * sides[1]
+    };
+    let shared = [x, z].map(|axis| {
+        let ([a, b], [c, d]) = (range(first, axis), range(second, axis));
+        (b - c).min(d - a)
+    });
+    (fills(first) && fills(second)).then(|| shared[0].min(shared[1])).filter(|depth| *depth > 0.0)
 }
 
 /// Warns of an object whose box crosses a wall of a room outside the openings of doors.
