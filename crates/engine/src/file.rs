@@ -7,7 +7,7 @@ use scenelang_lang::compile::{self, Compiled, compile_with};
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
-use scenelang_verify::check::matching;
+use scenelang_verify::check::{matching, rooms};
 use scenelang_verify::prove::{Findings, ProveOptions, prove};
 use scenelang_verify::report::build;
 use scenelang_verify::{CheckVerdict, Checked, Options};
@@ -68,6 +68,7 @@ pub fn check_program(name: &str, compiled: Compiled, findings: &Findings, option
     let Compiled { sources, program, mut diagnostics, .. } = compiled;
     if let Some(program) = &program {
         let mut proved = findings.diagnostics(program);
+        proved.extend(rooms::warn_of_program(program, options));
         scenelang_lang::lint::allow::silence(&sources, &mut proved);
         diagnostics.extend(proved);
     }

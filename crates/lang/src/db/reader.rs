@@ -158,7 +158,8 @@ fn not_found(found: Diagnostic, written: &str, place: Span) -> Diagnostic {
         return found.note("the path is relative to the folder of this file, unless it begins with `std/`");
     }
     let names: Vec<&str> = library::IMPORTED.iter().map(|(name, _)| *name).collect();
-    match nearest(written, names.iter().copied()) {
+    let whole = format!("{}.scene", written.trim_end_matches(".scene"));
+    match nearest(&whole, names.iter().copied()) {
         Some(near) => {
             let fix = format!("write `{near}`");
             found.label(format!("did you mean `{near}`?")).fix(Applicability::Unsafe, fix, place, format!("\"{near}\""))

@@ -191,7 +191,7 @@ fn needed(shown: Option<&[String; 2]>, least: f64) -> String {
     match old {
         Some(old) => {
             let bound = if least < 0.0 { "at most" } else { "at least" };
-            format!(", {bound} {} m is needed", short(old + least))
+            format!(", it must be {bound} {} m", short(old + least))
         }
         None => format!(", by at least {}", short(least.abs())),
     }

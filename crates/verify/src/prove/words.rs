@@ -87,8 +87,12 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         ));
     }
     if let Some(opening) = unconnected(found, program) {
+        let room = match program.regions.as_slice() {
+            [room] => room.name.as_str(),
+            _ => "…",
+        };
         finding = finding.note(format!(
-            "a door or window belongs in a wall: `assert connects({0}, …);` names its room, and lets `{0}` stand in the wall",
+            "a door or window belongs in a wall: `assert connects({0}, {room});` names its room, and lets `{0}` stand in the wall",
             program.objects[opening.0 as usize].name
         ));
     }

@@ -43,7 +43,10 @@ impl<'a> Words<'a> {
         let name = |rows: &RowRef| row_in_words(program, *rows, |index| self.line(program, index, row));
         // What stands against it does not matter where a move violates nothing.
         let is_free = explanation.repair.as_ref().is_some_and(|repair| repair.breaks.is_empty());
-        for against in explanation.opposing.iter().filter(|_| !is_free) {
+        // What somebody stated is nearer to the reader than a rule.
+        let mut opposing: Vec<&RowRef> = explanation.opposing.iter().collect();
+        opposing.sort_by_key(|row| !matches!(row.subject, Subject::Statement(_)));
+        for against in opposing.into_iter().filter(|_| !is_free) {
             notes.push(format!("{} conflicts with this constraint", name(against)));
         }
         if let Some(repair) = &explanation.repair {

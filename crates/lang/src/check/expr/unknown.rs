@@ -155,7 +155,10 @@ impl Checker<'_, '_> {
         let edit =
             |start, end, text: &str| Edit { place: Where::Here(TextRange { start, end }), text: text.to_owned() };
         let edits = vec![edit(name.range.end, inner.start, "["), edit(inner.end, whole.end, "]")];
-        let title = "write brackets".to_owned();
+        let title = match &self.expr(index).kind {
+            ExprKind::Number(index, None) => format!("write `{}[{index}]`", name.text),
+            _ => "write brackets".to_owned(),
+        };
         Diagnostic { fixes: vec![Fix { title, edits, applicability: Applicability::Unsafe }], ..d }
     }
 

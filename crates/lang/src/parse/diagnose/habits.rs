@@ -90,7 +90,8 @@ pub fn sentence(site: &Site<'_>) -> Option<Finding> {
     let written = format!("@req({}) {word}", site.slice(string));
     let replaced = if joined { keyword.cover(site.range(site.at)) } else { keyword.cover(site.range(end)) };
     let title = format!("write {}", quote(&written));
-    Some(requirement(site.range(string), word).fix(Applicability::Safe, title, replaced, written))
+    let message = format!("`{word}` takes no text; a requirement stands before it");
+    Some(Diagnostic::new(E0110, site.range(string), message).fix(Applicability::Safe, title, replaced, written))
 }
 
 /// `assert near(a, b, 1), "they are close"`

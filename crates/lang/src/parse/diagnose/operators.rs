@@ -70,7 +70,10 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
         let diagnostic = Diagnostic::new(E0116, site.range(site.at), message);
         let operands = site.before() == Some(Kind::Ident) && next == Some(Kind::Ident);
         let (before, after) = (site.slice(site.at - 1), site.slice(site.at + 1));
-        return Some(if operands { diagnostic.note(format!("as in `{word}({before}, {after})`")) } else { diagnostic });
+        let more = library::predicate_head(word).is_some_and(|head| head.params.len() > 2);
+        let rest = if more { ", …" } else { "" };
+        let note = format!("as in `{word}({before}, {after}{rest})`");
+        return Some(if operands { diagnostic.note(note) } else { diagnostic });
     }
     let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
     // A lone word behind a value is more likely a second name than an operator.
