@@ -95,6 +95,7 @@ codes! {
     E0305 "a weight must be a positive number"
     E0306 "not a static value"
     E0307 "read but never assigned"
+    E0308 "a size that is not greater than 0"
 
     E0401 "contradictory statements"
     E0402 "a statement that can never hold"

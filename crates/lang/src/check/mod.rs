@@ -173,7 +173,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             Some(p) if p.assignable => {
                 checker.expect(*value, p.ty, &format!("`{}`", p.name));
                 if matches!(p.name, "dimensions" | "scale") {
-                    check_size(checker, stmt, *value);
+                    check_size(checker, stmt, owner, *value);
                 }
             }
             Some(p) => {
@@ -228,16 +228,20 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
     }
 }
 
-/// A size that is written in numbers has three sides, each greater than 0.
-fn check_size(checker: &mut Checker<'_, '_>, stmt: &Stmt, value: ExprId) {
+/// A size that is written in numbers has three sides, each greater than 0. Those of a region along the floor do not count
+/// if it has an outline.
+fn check_size(checker: &mut Checker<'_, '_>, stmt: &Stmt, owner: Ty, value: ExprId) {
     let ExprKind::Call(call, sides) = &stmt.expr(value).kind else { return };
     if call.text != "vec3" || sides.len() != 3 {
         return;
     }
     for (side, name) in sides.iter().zip(["width", "height", "depth"]) {
+        if owner == Ty::Region && name != "height" {
+            continue;
+        }
         if let Some(length) = constant::number(stmt, *side).filter(|length| *length <= 0.0) {
             let message = format!("a size must be greater than 0, but the {name} is {length}");
-            checker.error(codes::E0505, stmt.expr(*side).range, message);
+            checker.error(codes::E0308, stmt.expr(*side).range, message);
         }
     }
 }
