@@ -413,7 +413,7 @@ mod tests {
             ("[llm]\nprices.m.input = 3", "2:8-9 the price of `m` needs `input` and `output`, each per million tokens"),
             ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no price field `in`; valid names: input, output"),
             ("[llm]\nprices.m = { input = -3, output = 1 }", "2:22-24 `input` takes a number from 0 to 1000000000"),
-            ("physics = no", "1:11-11 `no` is not a value; write true or false"),
+            ("physics = no", "1:11-13 `no` is not a value; write true or false"),
             ("\u{feff}phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
         ] {
             assert_eq!(said(text), wanted, "{text}");
