@@ -95,6 +95,7 @@ codes! {
     E0305 "a weight must be a positive number"
     E0306 "not a static value"
     E0307 "read but never assigned"
+    E0308 "a size that is not greater than 0"
 
     E0401 "contradictory statements"
     E0402 "a statement that can never hold"
@@ -151,6 +152,7 @@ codes! {
     W0503 "object inside a wall"
     W0504 "scene edited since export"
     W0505 "incomplete third-party file"
+    W0506 "member of a layout that is not read"
     W0601 "no asset for this category"
     W0602 "no usual size for this category"
     W0603 "furniture provider skipped"

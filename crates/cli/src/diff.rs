@@ -8,7 +8,7 @@ use crate::table::Table;
 use crate::targets::{JudgeTarget, find};
 use scenelang_base::Diagnostic;
 use scenelang_base::door::{Door, Named};
-use scenelang_verify::compare::{Changed, ChangedThing, ComparedVerdict, Comparison, Difference, compare};
+use scenelang_verify::compare::{Changed, ChangedThing, ComparedVerdict, Comparison, Difference, Turn, compare};
 use scenelang_verify::{Checked, Detail, report};
 use std::path::PathBuf;
 
@@ -83,12 +83,18 @@ fn human(c: &Comparison) -> String {
         }
         add(&mut out, &table, values.is_empty());
     }
-    let mut table = Table::new(&["constraint", "", "margin was", "is"]);
+    let mut table = Table::new(&["constraint", "change", "margin was", "is"]);
     for row in &c.constraints {
         let Difference { id, text, what, before, after, .. } = row;
         let name = if row.kind.rule().is_some() { id.clone() } else { format!("{id} {}", short(text)) };
         let (before, after) = (margin(*before, row), margin(*after, row));
-        table.row([name, what.as_str().to_owned(), before, after]);
+        let fails = row.after.is_some_and(|side| side.satisfied == Some(false));
+        let change = match what {
+            Turn::Shrinks if fails => "fails by more",
+            Turn::Grows if fails => "fails by less",
+            what => what.as_str(),
+        };
+        table.row([name, change.to_owned(), before, after]);
     }
     add(&mut out, &table, c.constraints.is_empty());
     let verdict = match (c.exit_code(), c.equal) {

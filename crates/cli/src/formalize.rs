@@ -4,7 +4,8 @@ use crate::args::{Formalize, Judging, SummaryFormat};
 use crate::model::ModelSession;
 use crate::progress::{Progress, solving};
 use crate::solve::explain;
-use crate::{FAILED, FINDINGS, GOOD, interrupt, replace, settings};
+use crate::synth::is_name;
+use crate::{FAILED, FINDINGS, GOOD, input, interrupt, replace, settings};
 use scenelang_base::door::Door;
 use scenelang_formalize::brief::{Word, json};
 use scenelang_formalize::draft::{Statement, ThingOrigin};
@@ -34,8 +35,8 @@ pub fn run(args: &Formalize) -> u8 {
     let time = args.time.map(Duration::from_secs_f64);
     interrupt::within(time);
     let asked = match (&args.request, &args.file, &args.from_brief) {
-        (Some(request), _, _) => Ok(RequestSource::Words(request.clone())),
-        (None, Some(path), _) => text(path).map(RequestSource::Words),
+        (Some(request), _, _) => named(request).map(|()| RequestSource::Words(request.clone())),
+        (None, Some(path), _) => text(path).and_then(|text| worded(path, text)).map(RequestSource::Words),
         (None, None, Some(path)) => brief(path).map(|brief| RequestSource::Brief(Box::new(brief))),
         (None, None, None) => Err("there is no request".to_owned()),
     };
@@ -110,6 +111,35 @@ pub fn run(args: &Formalize) -> u8 {
     }
     let short = args.strict && (reading.words.iter().any(|word| !word.used) || relaxed(&reading) > 0);
     if reading.nothing || short { FINDINGS } else { GOOD }
+}
+
+/// Refuses the name of a file as a request.
+fn named(request: &str) -> Result<(), String> {
+    if input::is_program(request) {
+        return Err("this is a program already, not a request in words".to_owned());
+    }
+    if !is_name(request) {
+        return Ok(());
+    }
+    let path = Path::new(request);
+    let is_scene = path.extension().is_some_and(|end| end == "scene");
+    Err(match (path.exists(), is_scene) {
+        (true, true) => {
+            format!("{request} is a program already; a request is written in words, or is a text file (-f FILE)")
+        }
+        (true, false) => format!("{request} is a file; to read the request from it, use -f {request}"),
+        (false, _) => {
+            format!("{request} looks like the name of a file, but there is none; a request is written in words")
+        }
+    })
+}
+
+/// The text of a file, unless it is a program.
+fn worded(path: &Path, text: String) -> Result<String, String> {
+    match input::is_program(&text) {
+        true => Err(format!("{} is a program already, not a request in words", input::name_of(path))),
+        false => Ok(text),
+    }
 }
 
 /// What a program is to be written from.

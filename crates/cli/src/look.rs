@@ -1,7 +1,7 @@
 //! Commands to look things up and to start: `explain`, `schema`, `new`.
 
 use crate::args::{Explain, New, Schema};
-use crate::{FAILED, GOOD, manual, out, words};
+use crate::{FAILED, GOOD, input, manual, out, plain, words};
 use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
@@ -9,33 +9,46 @@ use scenelang_lang::library;
 use scenelang_verify::report::model::RowKind;
 use scenelang_verify::schemas;
 
-/// Shows the page of a code, or what a word of the language means.
+/// Shows the page of a code, or what a word of the language means; of several words, what they mean together or else each.
 pub fn explain(args: &Explain) -> u8 {
-    let word = args.words.join(" ");
-    // A physical rule has the page of what tells that it is violated.
-    let rule = RowKind::ALL.into_iter().find(|kind| kind.rule().is_some_and(|rule| rule.eq_ignore_ascii_case(&word)));
-    if let Some(code) = Code::find(&word).or(rule.map(RowKind::code)) {
-        out::show(code.page());
+    let whole = args.words.join(" ");
+    let each = || args.words.iter().map(|word| explained(word)).collect::<Option<Vec<String>>>();
+    if let Some(found) = explained(&whole).or_else(|| Some(each()?.join("\n"))) {
+        out::show(&found);
         return GOOD;
     }
-    let found = [words::meaning(&word), words::setting(&word), manual::command(&word)];
-    let found: Vec<String> = found.into_iter().flatten().collect();
-    if !found.is_empty() {
-        out::show(&found.join("\n"));
-        return GOOD;
+    let word = args.words.iter().find(|word| args.words.len() > 1 && explained(word).is_none()).unwrap_or(&whole);
+    let is_category = |word: &str| library::is_category(&word.to_lowercase().replace(' ', "_"));
+    if let Some(category) = [&whole, word].into_iter().find(|word| is_category(word)) {
+        let quoted = input::quoted(category);
+        eprintln!("error: `{category}` is a category: `scenelang categories {quoted}` shows its usual size");
+        return FAILED;
+    }
+    let digits = word.strip_prefix(['E', 'W', 'V', 'e', 'w', 'v']).unwrap_or_default();
+    if digits.len() == 4 && digits.chars().all(|c| c.is_ascii_digit()) {
+        eprintln!("error: there is no code {}", word.to_uppercase());
+        return FAILED;
     }
     eprintln!("error: `{word}` is not a code, rule, keyword, predicate, function, property, setting or command");
     let all = codes::ALL.iter().map(|(code, _)| code.as_str());
-    if library::is_known(&word) {
-        eprintln!("  it is a category: `scenelang categories {word}` shows its usual size");
-        return FAILED;
-    }
     let near = suggest::nearest(&word.to_uppercase(), all).map(str::to_owned);
-    match near.or_else(|| words::nearest_of_all(&word)) {
+    match near.or_else(|| words::nearest_of_all(word)) {
         Some(near) => eprintln!("  did you mean `{near}`?"),
         None => eprintln!("  codes look like E0201, W0302 or V0101"),
     }
     FAILED
+}
+
+/// What is known of a code or a word.
+fn explained(word: &str) -> Option<String> {
+    // A physical rule has the page of what tells that it is violated.
+    let rule = RowKind::ALL.into_iter().find(|kind| kind.rule().is_some_and(|rule| rule.eq_ignore_ascii_case(word)));
+    if let Some(code) = Code::find(word).or(rule.map(RowKind::code)) {
+        return Some(plain::page(code.page()));
+    }
+    let found = [words::meaning(word).map(|text| plain::page(&text)), words::setting(word), manual::command(word)];
+    let found: Vec<String> = found.into_iter().flatten().collect();
+    (!found.is_empty()).then(|| found.join("\n"))
 }
 
 /// Prints a JSON Schema.
@@ -45,15 +58,23 @@ pub fn schema(args: &Schema) -> u8 {
     GOOD
 }
 
-/// Writes a small program to start from; a file that is there already is left alone.
+/// Writes a small program to start from; a file that is there already is left alone, unless `--force` is given.
 pub fn new(args: &New) -> u8 {
-    if args.file.exists() && !is_stream(&args.file) {
-        eprintln!("error: {} exists already and is not overwritten; name another file", args.file.display());
+    let shown = args.file.display();
+    let is_file = !is_stream(&args.file);
+    if is_file && args.file.extension().is_none_or(|end| end != "scene") {
+        let named = input::quoted(&args.file.with_extension("scene").display().to_string());
+        eprintln!("error: the name of a program ends in `.scene`, unlike {shown}; try `scenelang new {named}`");
+        return FAILED;
+    }
+    if is_file && args.file.exists() && !args.force {
+        eprintln!("error: {shown} exists already and is not overwritten; use --force, or name another file");
         return FAILED;
     }
     match Door::of(&args.file).write(&args.file, TEMPLATE.as_bytes()) {
         Ok(()) => {
-            println!("{} written; `scenelang synth {}` furnishes it", args.file.display(), args.file.display());
+            let named = input::quoted(&shown.to_string());
+            println!("{shown} written; `scenelang synth {named}` furnishes it");
             GOOD
         }
         Err(e) => {

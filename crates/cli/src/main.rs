@@ -31,6 +31,7 @@ mod mcp;
 mod model;
 mod parallel;
 mod permissions;
+mod plain;
 mod progress;
 mod query;
 mod rebuild;
@@ -65,7 +66,7 @@ pub const FAILED: u8 = 2;
 pub const INTERRUPTED: u8 = 130;
 
 fn main() -> ExitCode {
-    let args = Args::parse();
+    let args = Args::try_parse().unwrap_or_else(|error| manual::with_near_option(error).exit());
     interrupt::listen();
     let code = match args.command {
         Command::Check(check) => check::run(&check),

@@ -5,8 +5,10 @@ use crate::args::{Args, Completions, Man, Page};
 use crate::replace::May;
 use crate::{FAILED, GOOD, out, replace};
 use clap::builder::{PossibleValue, StyledStr};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
 use clap_mangen::Man as Roff;
+use scenelang_base::suggest;
 use scenelang_export::OutFile;
 use std::fmt::Write;
 use std::io;
@@ -34,6 +36,27 @@ pub fn commands() -> Vec<String> {
     whole.build();
     let names = all(&whole).into_iter().skip(1).map(called);
     names.map(|name| name.strip_prefix("scenelang ").unwrap_or(name).to_owned()).collect()
+}
+
+/// An error of the command line; of an unknown option it suggests the nearest one that the command has.
+pub fn with_near_option(mut error: clap::Error) -> clap::Error {
+    let unknown = match error.get(ContextKind::InvalidArg) {
+        Some(ContextValue::String(option)) if error.kind() == ErrorKind::UnknownArgument => option.clone(),
+        _ => return error,
+    };
+    let Some(word) = unknown.strip_prefix("--").filter(|_| error.get(ContextKind::SuggestedArg).is_none()) else {
+        return error;
+    };
+    let whole = Args::command();
+    let words = std::env::args().skip(1);
+    let command = words.fold(&whole, |command, word| command.find_subcommand(&word).unwrap_or(command));
+    let options = command.get_arguments().filter(|arg| !arg.is_hide_set()).filter_map(Arg::get_long);
+    if let Some(near) = suggest::nearest(word, options) {
+        error.insert(ContextKind::SuggestedArg, ContextValue::String(format!("--{near}")));
+        // That it may be a value is less likely than a slip.
+        error.insert(ContextKind::Suggested, ContextValue::None);
+    }
+    error
 }
 
 /// Prints a page, or writes all of them.

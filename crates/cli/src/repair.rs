@@ -121,7 +121,10 @@ fn for_people(
     }
     let mut out = String::new();
     for (id, _, text) in told.failing(failing) {
-        out += &format!("does not hold: {id}: {}\n", text.split_whitespace().collect::<Vec<_>>().join(" "));
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        // "fails: they do not collide" would have to be read twice.
+        let text = text.replace(" do not collide", " collide");
+        out += &format!("fails: {id}: {text}\n");
     }
     if let Some(found) = contradiction {
         out += "no layout satisfies all of these statements:\n";

@@ -2,9 +2,11 @@
 
 use crate::check::color;
 use scenelang_base::plain;
+use scenelang_lang::program::{Constraint, ConstraintKind};
 use scenelang_solve::{End, Freedom};
 use scenelang_synth::{JudgedLayout, Solved};
 use scenelang_verify::Checked;
+use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use scenelang_verify::report::{self, Human};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -57,7 +59,27 @@ fn preferred(found: &JudgedLayout) -> String {
     if met >= all {
         return String::new();
     }
-    format!("preferences met: weight {met} of {all}; use a higher --quality to optimise for longer\n")
+    let advice = match excluded(found) {
+        Some(texts) => format!("these cannot hold together: {}", texts.join(", ")),
+        None => "use a higher --quality to optimise for longer".to_owned(),
+    };
+    format!("preferences met: weight {met} of {all}; {advice}\n")
+}
+
+/// The statements of a contradiction between preferences, or between one and what is required: no search can meet them all.
+fn excluded(found: &JudgedLayout) -> Option<Vec<String>> {
+    let mut program = found.checked.program.clone()?;
+    let is_preference = |c: &Constraint| matches!(c.kind, ConstraintKind::Prefer { .. }) && c.guideline.is_none();
+    let preferred: Vec<bool> = program.constraints.iter().map(is_preference).collect();
+    for (constraint, is_preference) in program.constraints.iter_mut().zip(&preferred) {
+        if *is_preference {
+            constraint.kind = ConstraintKind::Assert;
+        }
+    }
+    let options = ProveOptions { work: WORK / 3, redundant: false, usual: true, ..ProveOptions::default() };
+    let all = prove(&program, &options).contradictions;
+    let found = all.into_iter().find(|found| found.statements.iter().any(|s| preferred[*s]))?;
+    Some(found.statements.iter().map(|s| format!("`{}`", program.constraints[*s].text)).collect())
 }
 
 /// What is free, in words.

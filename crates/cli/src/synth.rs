@@ -8,7 +8,7 @@ use crate::rebuild::Rebuild;
 use crate::replace::May;
 use crate::solve::{explain, patience};
 use crate::summary::{self, Done, How, SYNTHESIS};
-use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, formalize, formats, furniture, interrupt, replace, settings};
+use crate::{FAILED, FINDINGS, GOOD, INTERRUPTED, formalize, formats, furniture, input, interrupt, replace, settings};
 use scenelang_base::door::Door;
 use scenelang_export::{Exporter, Loss, losses, unity};
 use scenelang_lang::Compiled;
@@ -234,7 +234,7 @@ fn early(
 }
 
 /// Whether an argument is the name of a file rather than words: `bedroom.scen`, `rooms/bedroom`.
-fn is_name(argument: &str) -> bool {
+pub fn is_name(argument: &str) -> bool {
     let end = argument.rsplit('.').next().filter(|end| end.len() < argument.len());
     let has_extension = end.is_some_and(|end| (1..=6).contains(&end.len()) && end.chars().all(char::is_alphanumeric));
     !argument.contains(char::is_whitespace) && (has_extension || argument.contains('/'))
@@ -244,6 +244,9 @@ fn is_name(argument: &str) -> bool {
 fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
     let named = PathBuf::from(&args.request);
     let is = |ends: &[&str]| named.extension().is_some_and(|e| ends.iter().any(|end| e == *end));
+    if args.output.is_file() {
+        return Err(format!("-o takes a folder, but {} is a file", args.output.display()));
+    }
     if is(&["scene"]) && !args.request.contains(' ') || is(&["scene"]) && named.exists() {
         return Ok((named, None));
     }
@@ -252,6 +255,18 @@ fn asked_for(args: &Synth) -> Result<(PathBuf, Option<String>), String> {
         return Err(format!("there is no file {}; {why}", args.request));
     }
     let request = if is(&["txt", "md"]) && named.exists() { formalize::text(&named)? } else { args.request.clone() };
+    if input::is_program(&request) {
+        let why = "this is a program, not a request in words; the name of a program ends in `.scene`";
+        return Err(if named.exists() { format!("{}: {why}", args.request) } else { why.to_owned() });
+    }
+    let program = PathBuf::from(format!("{}.scene", args.request));
+    if !args.request.contains(char::is_whitespace) && program.is_file() {
+        let name = program.display();
+        eprintln!(
+            "note: `{}` is read as a request; to build the program {name}, write `scenelang synth {name}`",
+            args.request
+        );
+    }
     Ok((args.output.join("room.scene"), Some(request)))
 }
 

@@ -24,6 +24,36 @@ const CHAPTERS: [&str; 7] = [
     include_str!("../../../spec/src/reference/built-in.md"),
 ];
 
+/// Terms and signs that are no words of the language, and are met wherever it is spoken of.
+const TERMS: [(&str, &str); 6] = [
+    (
+        "margin",
+        "The margin of a formula says, in metres or degrees, by how much it holds or, if it is negative, by how much it fails.\n\n\
+         ```scene\nassert lamp.pos.y > 1;\n```\n\nThe margin is 0.5 m if `lamp.pos.y` is 1.5, and -0.2 m if it is 0.8.",
+    ),
+    (
+        "<-",
+        "`<-` assigns a value to a property or a variable. `=` compares two values.\n\n\
+         ```scene\nlamp.color <- \"red\";\nassert lamp.pos.y = 0.75;\n```",
+    ),
+    (
+        "=",
+        "`=` compares two values; two lengths are equal if they differ by at most 1 mm. To assign a value, write `<-`.\n\n\
+         ```scene\nassert lamp.pos.y = 0.75;\nlamp.color <- \"red\";\n```",
+    ),
+    (":=", "`:=` defines a predicate.\n\n```scene\npredicate low(Object a) := a.top < 0.5;\n```"),
+    (
+        "preference",
+        "A preference is a `prefer` statement: its condition is desirable but not required.\n\n\
+         ```scene\nprefer near(sofa, window, 2) weight 3;\n```",
+    ),
+    (
+        "layout",
+        "A layout gives the position, the rotation and the size of every object and region. It is a JSON file: `room.layout.json` \
+         belongs to `room.scene`. `scenelang solve` writes it, and `scenelang check` checks it.",
+    ),
+];
+
 /// What a keyword, predicate, function or property means, with examples where the book has them.
 pub fn meaning(word: &str) -> Option<String> {
     let mut out = String::new();
@@ -34,6 +64,8 @@ pub fn meaning(word: &str) -> Option<String> {
     } else if natives::is_built_in(word) {
         let _ = writeln!(out, "{}", hover::built_ins(word));
     } else if let Some(says) = keywords::says(word) {
+        let _ = writeln!(out, "{says}");
+    } else if let Some((_, says)) = TERMS.iter().find(|(term, _)| *term == word) {
         let _ = writeln!(out, "{says}");
     }
     for (owner, table) in [("object", natives::OBJECT_PROPERTIES), ("region", natives::REGION_PROPERTIES)] {
@@ -112,7 +144,7 @@ pub fn setting(word: &str) -> Option<String> {
     (!out.is_empty()).then(|| format!("{out}\n"))
 }
 
-/// The section of a chapter about a word, without layouts and drawings.
+/// The section of a chapter about a word, without drawings.
 fn section(chapter: &str, word: &str) -> Option<String> {
     let own = |line: &str| {
         let head = line.strip_prefix("## ").unwrap_or_default().trim_matches('`');
@@ -120,14 +152,9 @@ fn section(chapter: &str, word: &str) -> Option<String> {
     };
     let mut lines = chapter.lines().skip_while(|line| !own(line));
     let mut out = format!("{}\n", lines.next()?);
-    let mut in_layout = false;
     for line in lines.take_while(|line| !line.starts_with("## ")) {
-        let starts = line.starts_with("```json layout");
-        in_layout |= starts;
-        let shown = !in_layout && !line.starts_with("![");
-        in_layout &= starts || line != "```";
         // What was left out leaves one empty line.
-        if shown && !(line.is_empty() && out.ends_with("\n\n")) {
+        if !line.starts_with("![") && !(line.is_empty() && out.ends_with("\n\n")) {
             out.push_str(line);
             out.push('\n');
         }
@@ -197,7 +224,11 @@ mod tests {
             assert!(meaning(word).is_some_and(|text| text.lines().count() > 1), "{word}");
         }
         let near = meaning("near").unwrap_or_default();
-        assert!(near.contains("gap(a, b) <= d") && near.contains("margin 0.15 m") && !near.contains("json"), "{near}");
+        assert!(
+            near.contains("gap(a, b) <= d") && near.contains("margin 0.15 m") && near.contains("```json"),
+            "{near}"
+        );
+        assert!(meaning("margin").is_some() && meaning("<-").is_some());
         assert_eq!((meaning("nearr"), nearest("nearr")), (None, Some("near")));
     }
 

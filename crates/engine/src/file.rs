@@ -7,7 +7,7 @@ use scenelang_lang::compile::{self, Compiled, compile_with};
 use scenelang_lang::program::Program;
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
-use scenelang_verify::check::matching;
+use scenelang_verify::check::{matching, rooms};
 use scenelang_verify::prove::{Findings, ProveOptions, prove};
 use scenelang_verify::report::build;
 use scenelang_verify::{CheckVerdict, Checked, Options};
@@ -68,6 +68,7 @@ pub fn check_program(name: &str, compiled: Compiled, findings: &Findings, option
     let Compiled { sources, program, mut diagnostics, .. } = compiled;
     if let Some(program) = &program {
         let mut proved = findings.diagnostics(program);
+        proved.extend(rooms::warn_of_program(program, options));
         scenelang_lang::lint::allow::silence(&sources, &mut proved);
         diagnostics.extend(proved);
     }
@@ -145,7 +146,7 @@ impl Unfinished {
         let compiled = compile_with(&shown, &path, job.compile, job.loader, sources);
         self.sources = compiled.sources;
         let Some(program) = compiled.program else {
-            return unfit(&shown, place, compiled.diagnostics);
+            return unfit(&shown, place, stated.is_some(), compiled.diagnostics);
         };
         let mut found = compiled.diagnostics;
         let judged = check_read(&program, read, job.options);
@@ -169,7 +170,8 @@ pub fn check_read(program: &Program, read: &ReadLayout, options: &Options) -> Ch
 }
 
 /// What to say where the program does not compile: its own errors and, in the layout, that they are there.
-fn unfit(scene: &str, place: scenelang_base::Span, diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+/// `stated`: the layout says which program it is.
+fn unfit(scene: &str, place: scenelang_base::Span, stated: bool, diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let first = diagnostics.iter().find(|d| d.is_error());
     let unread = first.filter(|d| d.primary.is_none());
     let message = match unread {
@@ -180,6 +182,10 @@ fn unfit(scene: &str, place: scenelang_base::Span, diagnostics: Vec<Diagnostic>)
     let mut finding = Diagnostic::new(code, place, message);
     if let Some(d) = unread {
         finding.notes.clone_from(&d.notes);
+        if !stated {
+            let note = format!("the layout names no program, so {scene} is expected; add `\"scene\": \"…\"`");
+            finding = finding.note(note);
+        }
     }
     if let Some(label) = first.and_then(|d| d.primary.as_ref()) {
         finding = finding.related(label.place, "the first of them");

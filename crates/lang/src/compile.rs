@@ -5,6 +5,7 @@ use crate::program::Program;
 use crate::sources::{Loader, decode, unreadable};
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap};
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// At most so many errors of a file are listed, and as many warnings.
@@ -60,6 +61,11 @@ pub fn compile_with(
         Err(e) => {
             let main = sources.add(SourceFile::new(name, path, ""));
             let d = unreadable(&format!("read {name}"), &e);
+            let other = path.with_extension("scene");
+            let d = match e.kind() == ErrorKind::NotFound && other != path && loader.load(&other).is_ok() {
+                true => d.note(format!("did you mean {}?", Path::new(name).with_extension("scene").display())),
+                false => d,
+            };
             Compiled { sources, main, program: None, diagnostics: vec![d] }
         }
         Ok(bytes) => match decode(name, path, bytes, &mut sources) {

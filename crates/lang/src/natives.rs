@@ -291,7 +291,7 @@ pub const STATIC_PROPERTIES: [&str; 5] = ["category", "color", "material", "feat
 
 /// Properties of regions.
 pub const REGION_PROPERTIES: &[Property] = properties! {
-    pos Vector3 true "Centre of the floor of its rectangle.";
+    pos Vector3 true "The centre of its floor, or of the rectangle around it if it has `vertices`.";
     rot Rotation true "Orientation; only the rotation about y counts.";
     scale Vector3 true "Full extents: width, height, depth (metres).";
     vertices Polygon true "The floor polygon.";

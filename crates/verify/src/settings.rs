@@ -112,7 +112,13 @@ fn read_as(text: &str, file: FileId, own: bool) -> Result<Settings, Vec<Diagnost
         Ok(document) => reader.top(document.as_table()),
         Err(e) => {
             let message = e.message().lines().next().unwrap_or("it cannot be read");
-            reader.error(e.span(), format!("invalid TOML: {message}"));
+            let word = e.span().map_or("", |span| text[start..].get(span.start..).unwrap_or_default());
+            let word = word.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+            let message = match matches!(word, "yes" | "no" | "on" | "off" | "True" | "False") {
+                true => format!("`{word}` is not a value; write true or false"),
+                false => format!("invalid TOML: {message}"),
+            };
+            reader.error(e.span(), message);
         }
     }
     let Reader { settings, mut found, .. } = reader;
@@ -407,6 +413,7 @@ mod tests {
             ("[llm]\nprices.m.input = 3", "2:8-9 the price of `m` needs `input` and `output`, each per million tokens"),
             ("[llm]\nprices.m = { in = 3 }", "2:14-16 there is no price field `in`; valid names: input, output"),
             ("[llm]\nprices.m = { input = -3, output = 1 }", "2:22-24 `input` takes a number from 0 to 1000000000"),
+            ("physics = no", "1:11-13 `no` is not a value; write true or false"),
             ("\u{feff}phisics = true", "1:1-8 there is no setting `phisics`; did you mean `physics`?"),
         ] {
             assert_eq!(said(text), wanted, "{text}");

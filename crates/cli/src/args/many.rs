@@ -79,7 +79,7 @@ pub struct BatchRun {
     #[arg(long, value_name = "I/N", default_value = "0/1", value_parser = shard)]
     pub shard: Shard,
     /// Stop working on a line after this time and continue with the next
-    #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value = "120", value_parser = seconds, allow_negative_numbers = true)]
     pub time: f64,
     /// The maximum memory for a line (MiB), if the system can enforce it
     #[arg(long, value_name = "MIB", default_value_t = 4096, value_parser = clap::value_parser!(u64).range(256..=1 << 20))]

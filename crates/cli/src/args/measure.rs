@@ -24,7 +24,7 @@ pub struct BenchSolve {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: u16,
     /// Stop a run after this time; by default, after the solver's own budget of work
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]

@@ -133,7 +133,7 @@ pub struct Check {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
     /// The time limit for everything; if some files are not checked in time, the exit code is 2
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// Additional information about a file from another system
     #[command(flatten)]
@@ -253,10 +253,10 @@ pub struct Solve {
     #[arg(long, value_name = "NAME", num_args = 1.., requires = "layout")]
     pub only: Vec<String>,
     /// The time limit for everything; the result then depends on the speed of the machine
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// The random seed; the same seed gives the same layout
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
     /// Find this many substantially different layouts: NAME.1.layout.json and so on
     #[arg(long, value_name = "N", conflicts_with = "model", value_parser = clap::value_parser!(u16).range(1..=100))]
@@ -306,7 +306,7 @@ pub struct Repair {
     #[arg(long)]
     pub force: bool,
     /// The time limit for everything; the result then depends on the speed of the machine
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// How to judge
     #[command(flatten)]
@@ -390,7 +390,7 @@ pub struct Formalize {
     #[arg(long)]
     pub untried: bool,
     /// The time limit for everything, including the check whether a layout exists
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// Show how each clause of the request was understood
     #[arg(long)]
@@ -422,10 +422,10 @@ pub struct Synth {
     #[command(flatten)]
     pub edits: Edits,
     /// The random seed; the same seed gives the same scene
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
     /// The time limit for the layout, and for reading a request before it; the result then depends on the speed of the machine
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// The effort of the search, and its threads
     #[command(flatten)]
@@ -613,9 +613,12 @@ pub struct Fmt {
 /// `scenelang new`
 #[derive(ClapArgs, Debug)]
 pub struct New {
-    /// The file to write; an existing file is not overwritten
+    /// The file to write; its name must end in `.scene`
     #[arg(value_name = "FILE.scene")]
     pub file: PathBuf,
+    /// Overwrite the file if it exists
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// `scenelang explain`
@@ -752,6 +755,11 @@ fn seconds(text: &str) -> Result<f64, String> {
     } else {
         Err("expected a number of seconds greater than 0".to_owned())
     }
+}
+
+/// `--seed`
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("expected a whole number from 0 to {}", u64::MAX))
 }
 
 fn schema_names() -> clap::builder::PossibleValuesParser {

@@ -156,7 +156,7 @@ fn compact_is_one_line_each() {
     broken.scene:1:9: error[E0111]: missing `;` at the end of this statement
     broken.scene:2:16: error[E0112]: a value is missing after `>`
     broken.scene:3:8: error[E0201]: `b` is not declared
-    broken.scene:3:20: warning[W0101]: unknown statement before this `;`
+    broken.scene:3:20: warning[W0101]: there is no statement before this `;`
     broken.scene:3:22: error[E0102]: this string is not closed on its line
     broken.scene: 4 errors, 1 warning
     "##);

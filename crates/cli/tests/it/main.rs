@@ -20,6 +20,7 @@ mod everyday;
 mod examples;
 mod exporting;
 mod faults;
+mod first_time;
 mod fixing;
 mod foreign;
 mod formats;

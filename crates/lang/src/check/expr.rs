@@ -1,11 +1,12 @@
 //! Types of expressions. One mistake, one message: what failed has type `Error`, which fits everywhere.
 
+mod unknown;
+
 use super::Where;
 use super::constant;
 use crate::ast::{BinaryOp, Expr, ExprId, ExprKind, Name, Param, Quantifier, Stmt, UnitSuffix};
 use crate::hir::{Hir, Local, LocalKind, Resolution};
 use crate::items::{ItemKind, Names, whole_number};
-use crate::library;
 use crate::natives::{self, ROOMS, SIDES, STATIC_PROPERTIES, Signature, property};
 use crate::program::Comparison;
 use crate::types::Ty;
@@ -101,6 +102,11 @@ impl<'n, 'a> Checker<'n, 'a> {
     /// Requires a condition.
     pub(super) fn condition(&mut self, id: ExprId) {
         let ty = self.ty(id);
+        self.is_condition(id, ty);
+    }
+
+    /// Requires that an expression of some type is a condition.
+    fn is_condition(&mut self, id: ExprId, ty: Ty) {
         if !ty.fits(Ty::Bool) {
             let mut d = Diagnostic::new(
                 codes::E0302,
@@ -159,9 +165,9 @@ impl<'n, 'a> Checker<'n, 'a> {
                 self.condition(*e);
                 Ty::Bool
             }
-            ExprKind::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Implies, _, l, r) => {
+            ExprKind::Binary(op @ (BinaryOp::And | BinaryOp::Or | BinaryOp::Implies), _, l, r) => {
                 self.condition(*l);
-                self.condition(*r);
+                self.condition_after(*op, *l, *r);
                 Ty::Bool
             }
             ExprKind::Binary(op, _, l, r) => self.arith(*op, *l, *r, self.range(id)),
@@ -259,40 +265,6 @@ impl<'n, 'a> Checker<'n, 'a> {
                 Ty::Objects
             }
         }
-    }
-
-    pub(super) fn unknown_name(&mut self, name: &str, range: TextRange) {
-        if self.names.is_poisoned(name) || self.unknown.iter().any(|n| n == name) {
-            return;
-        }
-        self.unknown.push(name.into());
-        let mut d = Diagnostic::new(codes::E0201, Where::Here(range), format!("`{name}` is not declared"));
-        let declared = self.names.declared();
-        let locals = self.scope.iter().map(|local| self.locals[*local].name.as_str());
-        // A single letter is like any other.
-        let is_short = name.chars().count() < 2;
-        let near = locals.chain(declared.iter().map(SmolStr::as_str)).filter(|near| !is_short && near.len() > 1);
-        if natives::is_built_in(name) || self.names.predicate(name).is_some() {
-            d = d.note(format!("`{name}` is a predicate or function: it takes arguments, `{name}(…)`"));
-        } else if library::colors().any(|color| color == name) {
-            let text = format!("\"{name}\"");
-            d = d.label("a color or material is written in quotes").fix(
-                Applicability::Unsafe,
-                format!("write `{text}`"),
-                Where::Here(range),
-                text,
-            );
-        } else if let Some(near) = nearest(name, near) {
-            d = d
-                .fix(Applicability::Unsafe, format!("write `{near}`"), Where::Here(range), near)
-                .label(format!("did you mean `{near}`?"));
-            if self.names.item(near).is_some() {
-                d = d.related(Where::Item(near.into()), format!("`{near}` is declared here"));
-            }
-        } else {
-            d = d.note(format!("declare it: `object {name};`"));
-        }
-        self.push(d);
     }
 
     fn member(&mut self, id: ExprId, base: ExprId, name: &Name) -> Ty {
@@ -402,7 +374,8 @@ impl<'n, 'a> Checker<'n, 'a> {
         };
         let range = self.range(index);
         if !index_ty.fits(Ty::Literal) || (index_ty == Ty::Literal && self.is_static(index).is_err()) {
-            let message = "an index must be a whole number made of literals and range variables";
+            let message =
+                "an index is a whole number, or made of numbers and the variables of ranges such as `i in 0..5`";
             self.error(codes::E0304, range, message);
             return Ty::Error;
         }
@@ -536,10 +509,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             return result_of(signature, &types);
         }
         let Some(predicate) = self.names.predicate(&name.text) else {
-            for a in args {
-                self.ty(*a);
-            }
-            self.unknown_function(name);
+            self.unknown_function(id, name, args);
             return Ty::Error;
         };
         self.resolve(id, || Resolution::Predicate { name: name.text.clone(), library: predicate.library });
@@ -566,10 +536,7 @@ impl<'n, 'a> Checker<'n, 'a> {
             }
             return Ty::Bool;
         }
-        for (arg, (wanted, param)) in args.iter().zip(predicate.params) {
-            let ty = self.ty(*arg);
-            self.argument(*arg, ty, wanted, &param, &name.text);
-        }
+        self.arguments(id, name, args, &predicate.params);
         Ty::Bool
     }
 
@@ -617,42 +584,6 @@ impl<'n, 'a> Checker<'n, 'a> {
         d.note("expected degrees; a plain number such as `90` is read as degrees")
             .fix(Applicability::Unsafe, "replace the unit with `deg`", place.clone(), "deg")
             .fix(Applicability::Unsafe, "remove the unit", place, "")
-    }
-
-    fn argument(&mut self, arg: ExprId, ty: Ty, wanted: Ty, param: &str, of: &str) {
-        if ty.fits(wanted) {
-            return;
-        }
-        if ty == Ty::Objects && wanted == Ty::Object {
-            self.bare_set(arg, &format!("`{of}` takes one object here"));
-            return;
-        }
-        let message = format!("`{param}` of `{of}` is {wanted}, but this is {ty}");
-        let d = Diagnostic::new(codes::E0301, Where::Here(self.range(arg)), message);
-        self.push(self.repaired(d, arg, wanted, ty));
-    }
-
-    fn unknown_function(&mut self, name: &Name) {
-        if self.names.is_poisoned(&name.text) {
-            return;
-        }
-        let mut known: Vec<&str> = natives::BUILT_INS.iter().map(|s| s.name).collect();
-        let own = self.names.predicates();
-        known.extend(own.iter().map(SmolStr::as_str));
-        known.sort_unstable();
-        known.dedup();
-        let message = format!("there is no function or predicate `{}`", name.text);
-        let mut d = Diagnostic::new(codes::E0208, Where::Here(name.range), message);
-        d = match nearest(&name.text, known) {
-            Some(near) => d.label(format!("did you mean `{near}`?")).fix(
-                Applicability::Unsafe,
-                format!("write `{near}`"),
-                Where::Here(name.range),
-                near,
-            ),
-            None => d.note(format!("define it: `predicate {}(Object a) := …;`", name.text)),
-        };
-        self.push(d);
     }
 
     /// The overload that the arguments choose (or the likeliest, if they fit none), and their types.

@@ -99,7 +99,7 @@ pub enum Where {
 fn check_weight(checker: &mut Checker<'_, '_>, stmt: &Stmt, weight: ExprId) {
     let range = stmt.expr(weight).range;
     if constant::number(stmt, weight).is_none_or(|w| w <= 0.0) {
-        let message = "a weight must be a positive number literal";
+        let message = "a weight is a number greater than 0, such as `2`";
         checker.error(codes::E0305, range, message);
     }
 }
@@ -170,11 +170,21 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             checker.ty(*value);
         }
         (Ty::Object | Ty::Region, [prop]) => match property(owner, &prop.text) {
-            Some(p) if p.assignable => checker.expect(*value, p.ty, &format!("`{}`", p.name)),
+            Some(p) if p.assignable => {
+                checker.expect(*value, p.ty, &format!("`{}`", p.name));
+                if matches!(p.name, "dimensions" | "scale") {
+                    check_size(checker, stmt, owner, *value);
+                }
+            }
             Some(p) => {
                 let message = format!("`{}` is derived from other properties and cannot be assigned", p.name);
                 let d = Diagnostic::new(codes::E0211, Where::Here(*target), message);
                 checker.push(asserted(d, *target, stmt.expr(*value).range));
+                checker.ty(*value);
+            }
+            None if owner == Ty::Region && prop.text == "category" => {
+                let d = Diagnostic::new(codes::E0211, Where::Here(*target), "a region has no category");
+                checker.push(d.note("its name says what it is; `features` takes any further words"));
                 checker.ty(*value);
             }
             None => {
@@ -215,6 +225,24 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
         && prop.text != "vertices"
     {
         checker.error(codes::E0301, call.range, "a polygon can only be assigned to the `vertices` of a region");
+    }
+}
+
+/// A size that is written in numbers has three sides, each greater than 0. Those of a region along the floor do not count
+/// if it has an outline.
+fn check_size(checker: &mut Checker<'_, '_>, stmt: &Stmt, owner: Ty, value: ExprId) {
+    let ExprKind::Call(call, sides) = &stmt.expr(value).kind else { return };
+    if call.text != "vec3" || sides.len() != 3 {
+        return;
+    }
+    for (side, name) in sides.iter().zip(["width", "height", "depth"]) {
+        if owner == Ty::Region && name != "height" {
+            continue;
+        }
+        if let Some(length) = constant::number(stmt, *side).filter(|length| *length <= 0.0) {
+            let message = format!("a size must be greater than 0, but the {name} is {length}");
+            checker.error(codes::E0308, stmt.expr(*side).range, message);
+        }
     }
 }
 

@@ -8,7 +8,8 @@ use crate::library;
 use crate::sources::{Loader, code_of, decode, file_name, normal, plain, with_advice};
 use rustc_hash::{FxHashMap, FxHashSet};
 use salsa::Setter;
-use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
+use scenelang_base::suggest::nearest;
+use scenelang_base::{Applicability, Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
 use std::path::{Path, PathBuf};
 
 /// A file of the program and where it came from.
@@ -142,12 +143,27 @@ impl<'a> Reader<'a> {
             Err(e) => {
                 let message = format!("cannot import `{written}`: {}", plain(&e));
                 let found = Diagnostic::new(code_of(&e, codes::E0206), place, message);
-                self.found.push(if found.code == codes::E0206 {
-                    found.note("the path is relative to the folder of this file, unless it begins with `std/`")
-                } else {
-                    with_advice(found, &e)
+                self.found.push(match found.code {
+                    codes::E0206 => not_found(found, written, place),
+                    _ => with_advice(found, &e),
                 });
             }
         }
+    }
+}
+
+/// What to write instead of the path of a file that does not exist.
+fn not_found(found: Diagnostic, written: &str, place: Span) -> Diagnostic {
+    if !written.starts_with("std/") {
+        return found.note("the path is relative to the folder of this file, unless it begins with `std/`");
+    }
+    let names: Vec<&str> = library::IMPORTED.iter().map(|(name, _)| *name).collect();
+    let whole = format!("{}.scene", written.trim_end_matches(".scene"));
+    match nearest(&whole, names.iter().copied()) {
+        Some(near) => {
+            let fix = format!("write `{near}`");
+            found.label(format!("did you mean `{near}`?")).fix(Applicability::Unsafe, fix, place, format!("\"{near}\""))
+        }
+        None => found.note(format!("the files that can be imported from `std/` are: {}", names.join(", "))),
     }
 }

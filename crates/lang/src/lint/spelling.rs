@@ -6,6 +6,7 @@
 //! middle of a word, counts only where one of the two is hardly used.
 
 use super::facts::Facts;
+use crate::ast::StmtKind;
 use crate::items::ItemKind;
 use crate::library;
 use rustc_hash::FxHashMap;
@@ -131,7 +132,12 @@ fn categories(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
         let Some(place) = linted.place.span(text.range) else { continue };
         let mended = |d: &Diagnostic| d.fixes.iter().flat_map(|f| &f.edits).any(|edit| edit.place == place);
         let told = out.iter().any(|d| d.code == codes::W0204 && mended(d));
-        if told || known.contains(&text.text.as_str()) || library::is_known(&text.text) {
+        // A region has no category, which is an error.
+        let of_region = match &linted.place.stmt.kind {
+            StmtKind::Assign { name, .. } => facts.names.item(&name.text) == Some(ItemKind::Region),
+            _ => false,
+        };
+        if told || of_region || known.contains(&text.text.as_str()) || library::is_known(&text.text) {
             continue;
         }
         known.push(&text.text);

@@ -2,6 +2,7 @@
 //! characters. Where the meaning is plain, the parser goes on with it.
 
 use super::literals;
+use crate::library;
 use crate::token::{Kind, Token, UNITS};
 use scenelang_base::codes::{E0101, E0102, E0103, E0104, E0105, E0106, E0115, E0116};
 use scenelang_base::suggest::nearest;
@@ -53,6 +54,14 @@ pub fn intended_operator(text: &str) -> Option<Kind> {
     FOREIGN.iter().find(|(sign, ..)| *sign == text).and_then(|(_, kind, ..)| *kind)
 }
 
+/// Whether the operator at `at` is `=>` before what can only be a condition: it is no misspelt `>=`.
+pub fn is_implication(text: &str, tokens: &[Token], at: usize) -> bool {
+    let slice = |at: usize| tokens.get(at).map_or("", |t| &text[t.range.bytes()]);
+    let next = slice(at + 1);
+    let is_called = slice(at + 2) == "(" && library::predicates().contains_key(next);
+    slice(at) == "=>" && (is_called || matches!(next, "not" | "inside" | "forall" | "exists"))
+}
+
 /// Reports what is wrong with single tokens of a statement. Of characters without meaning only the first is told, and
 /// an open string or comment ends the list: what follows is a consequence.
 pub fn check(text: &str, tokens: &[Token]) -> (Vec<Diagnostic<TextRange>>, Damage) {
@@ -73,13 +82,29 @@ pub fn check(text: &str, tokens: &[Token]) -> (Vec<Diagnostic<TextRange>>, Damag
             Kind::WrongOperator => {
                 let assigns = tokens.first().is_some_and(|t| t.kind == Kind::Ident);
                 let repaired = intended_operator(slice).map_or(Damage::Lost, |_| Damage::Repaired);
-                (Some(foreign_operator(text, token.range, assigns)), repaired)
+                let implies = is_implication(text, tokens, at);
+                (Some(foreign_operator(text, token.range, assigns, implies)), repaired)
             }
             Kind::OpenComment => (Some(open_comment(token.range)), Damage::Repaired),
             Kind::BadAttribute if damage != Damage::Lost => (Some(bad_attribute(slice, token.range)), Damage::Lost),
             Kind::Unknown | Kind::Bom if damage != Damage::Lost => {
                 let number = before.filter(|b| b.kind == Kind::Number && b.range.end == token.range.start);
-                (Some(unknown(slice, token.range, number)), Damage::Lost)
+                let quantified = slice.starts_with('{') && awaits_colon(text, &tokens[..at]);
+                let grouped = number
+                    .filter(|_| slice.starts_with(['\'', '’']))
+                    .and(tokens.get(at + 1))
+                    .is_some_and(|next| next.kind == Kind::Number && next.range.start == token.range.end);
+                let diagnostic = match (quantified, grouped) {
+                    (true, _) => block_of_quantifier(token.range),
+                    (_, true) => Diagnostic::new(E0106, token.range, "digits cannot be grouped").fix(
+                        Applicability::Safe,
+                        format!("remove {}", quote(slice)),
+                        token.range,
+                        "",
+                    ),
+                    _ => unknown(slice, token.range, number),
+                };
+                (Some(diagnostic), Damage::Lost)
             }
             _ => (None, Damage::None),
         };
@@ -180,7 +205,7 @@ fn quote_inner(text: &str) -> String {
 }
 
 /// The unit that a longer word for it, or another case, means.
-fn unit_meant(suffix: &str) -> Option<&'static str> {
+pub fn unit_meant(suffix: &str) -> Option<&'static str> {
     let lower = suffix.to_lowercase();
     let long = match lower.as_str() {
         "meter" | "meters" | "metre" | "metres" => "m",
@@ -195,12 +220,17 @@ fn unit_meant(suffix: &str) -> Option<&'static str> {
     Some(long)
 }
 
-fn foreign_operator(text: &str, range: TextRange, assigns: bool) -> Diagnostic<TextRange> {
+/// `assigns`: it stands behind the target of an assignment; `implies`: `=>` between conditions.
+fn foreign_operator(text: &str, range: TextRange, assigns: bool, implies: bool) -> Diagnostic<TextRange> {
     let slice = &text[range.bytes()];
     let entry = FOREIGN.iter().find(|(sign, ..)| *sign == slice);
     let (meant, remark) = entry.map_or(("", ""), |(_, _, meant, remark)| (*meant, *remark));
     let arrow = matches!(slice, "->" | "→");
-    let (meant, remark) = if arrow && assigns { ("<-", "") } else { (meant, remark) };
+    let (meant, remark) = match (arrow && assigns, implies) {
+        (true, _) => ("<-", ""),
+        (_, true) => ("implies", ""),
+        _ => (meant, remark),
+    };
     let mut diagnostic = Diagnostic::new(E0116, range, format!("there is no operator {}", quote(slice)));
     if !meant.is_empty() {
         let applicability = if remark.is_empty() { Applicability::Safe } else { Applicability::Unsafe };
@@ -230,6 +260,18 @@ fn bad_attribute(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
         Some(near) => diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), range, near),
         None => diagnostic,
     }
+}
+
+/// Whether some tokens end in a quantifier and its set, without the `:`.
+fn awaits_colon(text: &str, tokens: &[Token]) -> bool {
+    let is_quantifier = |token: &Token| matches!(&text[token.range.bytes()], "forall" | "exists");
+    tokens.iter().rposition(is_quantifier).is_some_and(|at| tokens[at..].iter().all(|t| t.kind != Kind::Colon))
+}
+
+fn block_of_quantifier(range: TextRange) -> Diagnostic<TextRange> {
+    let place = TextRange { start: range.start, end: range.start + 1 };
+    Diagnostic::new(E0101, place, "the condition of a quantifier follows after `:`, without braces")
+        .note("as in `forall c in chair: near(c, table, 1)`; several conditions are joined with `and`")
 }
 
 /// `number`: the number that ends where the characters begin.

@@ -37,7 +37,7 @@ use crate::token::{Class, Kind, Token, lex};
 use builder::Builder;
 use diagnose::{After, Site};
 use lexical::Damage;
-use scenelang_base::codes::{E0111, W0101};
+use scenelang_base::codes::{E0101, E0111, W0101};
 use scenelang_base::{Applicability, Diagnostic, TextRange};
 use std::ops::Range;
 use wanted::Failure;
@@ -185,27 +185,32 @@ impl ChunkParser<'_> {
             }
             return;
         }
+        let (tokens, before) = self.hash_comments(tokens);
+        if tokens.is_empty() && before > 0 {
+            return;
+        }
+        let first = self.statements.len();
         let words = words::read(self.text, tokens, None);
         if let Some(refusal) = depth::check_tokens(words.kinds.iter().copied().zip(words.ranges.iter().copied())) {
             self.diagnostics.push(refusal);
-            self.salvage(tokens, &words, 0);
-            self.segment(words, 0, true);
+            self.salvage(tokens, &words, before);
+            self.segment(words, first, true);
             return;
         }
-        let failure = match self.attempt(tokens, &words, 0, end) {
+        let failure = match self.attempt(tokens, &words, before, end) {
             Ok(verdict) => {
-                self.segment(words, 0, verdict == ParseOutcome::Refused);
+                self.segment(words, first, verdict == ParseOutcome::Refused);
                 return;
             }
             Err(failure) => failure,
         };
         let segments = split::split(self.text, tokens);
         if let [_] = segments.as_slice() {
-            self.fail(tokens, &words, failure, 0, end);
-            self.segment(words, 0, true);
+            self.fail(tokens, &words, failure, before, end);
+            self.segment(words, first, true);
             return;
         }
-        let mut from = 0;
+        let mut from = before;
         for (i, segment) in segments.iter().enumerate() {
             let end = segments.get(i + 1).map_or(end, |next| After::Statement(tokens[next.start].range));
             let tokens = &tokens[segment.clone()];
@@ -219,6 +224,30 @@ impl ChunkParser<'_> {
             self.segment(words, first, broken);
             from = tokens.last().map_or(from, |t| t.range.end);
         }
+    }
+
+    /// Reports lines before a statement that begin with `#`, as comments of other languages do, and passes over them.
+    /// Returns the rest of the tokens, and where the last such line ends.
+    fn hash_comments<'a>(&mut self, mut tokens: &'a [Token]) -> (&'a [Token], u32) {
+        let mut from = 0;
+        while let Some(hash) =
+            tokens.first().filter(|t| t.kind == Kind::Unknown && self.text[t.range.bytes()].starts_with('#'))
+        {
+            let new_line =
+                |pair: &[Token]| has_line_break(&self.text[pair[0].range.end as usize..pair[1].range.start as usize]);
+            let end = tokens.windows(2).position(new_line).map_or(tokens.len(), |last| last + 1);
+            let sign = TextRange { start: hash.range.start, end: hash.range.start + 1 };
+            let diagnostic =
+                Diagnostic::new(E0101, sign, "unexpected character `#`").note("a comment begins with `//`");
+            self.diagnostics.push(diagnostic.fix(Applicability::Safe, "write `//`", sign, "//"));
+            let line = hash.range.cover(tokens[end - 1].range);
+            let first = self.statements.len();
+            self.nothing(line);
+            self.segment(words::read(self.text, &tokens[..end], None), first, true);
+            from = line.end;
+            tokens = &tokens[end..];
+        }
+        (tokens, from)
     }
 
     /// Remembers how some tokens were taken; `first` is the first of their statements.
@@ -311,8 +340,13 @@ impl ChunkParser<'_> {
     }
 
     fn stray_semicolon(&mut self, range: TextRange) {
-        let warning = Diagnostic::new(W0101, range, "unknown statement before this `;`");
+        let warning = Diagnostic::new(W0101, range, "there is no statement before this `;`");
         self.diagnostics.push(warning.fix(Applicability::Safe, "remove it", range, ""));
+        self.nothing(range);
+    }
+
+    /// A statement that says nothing.
+    fn nothing(&mut self, range: TextRange) {
         self.statements.push(Stmt {
             kind: StmtKind::Empty,
             range,

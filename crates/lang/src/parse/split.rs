@@ -104,6 +104,10 @@ impl Scan<'_> {
     fn word_starts(&self, at: usize, before: Kind, depth: usize) -> bool {
         let complete = ends_value(before);
         let new_line = self.new_line(at);
+        // The set of a quantifier.
+        if at >= 3 && self.slice(at - 1) == "in" && matches!(self.slice(at - 3), "forall" | "exists") {
+            return false;
+        }
         if !new_line && (!complete || depth > 0) {
             return false;
         }

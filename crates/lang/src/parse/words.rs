@@ -5,7 +5,7 @@
 //! followed by `-` inside an expression. Both are decided here, once, by looking a token or two ahead, so that the
 //! grammar never has to try one reading and take it back.
 
-use super::lexical::intended_operator;
+use super::lexical::{intended_operator, is_implication};
 use crate::chunk::has_line_break;
 use crate::token::{Kind, Token};
 use scenelang_base::TextRange;
@@ -120,6 +120,7 @@ impl Reader<'_> {
             Kind::Ident => self.word(at, before),
             Kind::OddQuotes | Kind::OpenStr => Kind::Str,
             Kind::BadNumber => Kind::Number,
+            Kind::WrongOperator if is_implication(self.text, self.tokens, at) => Kind::Implies,
             Kind::WrongOperator => intended_operator(self.slice(at)).unwrap_or(Kind::WrongOperator),
             _ if before == Some(Kind::Dot) && self.is_property(at) => Kind::Ident,
             kind => kind,

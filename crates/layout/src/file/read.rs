@@ -3,6 +3,7 @@
 use super::json::{Findings, Json, JsonNode, Member, find};
 use crate::convex::{MAX_HULL_POINTS, parts_fill_box};
 use crate::{Convex, DecisionValue, Layout, Part, Placement, Polygon, RegionPlacement, Vec3};
+use scenelang_base::suggest::nearest;
 use scenelang_base::{Code, TextRange, codes};
 use smol_str::SmolStr;
 use std::collections::BTreeMap;
@@ -15,6 +16,38 @@ pub const LARGEST: f64 = 1e6;
 
 /// How far a region may be tilted, in degrees: as much as two rotations may differ and be equal.
 const TILT: f64 = 0.1;
+
+/// Members of a layout, of an object and of a region.
+const TOP: &[&str] = &["format", "scene", "seed", "incomplete", "written", "objects", "regions", "variables", "draws"];
+const OBJECT: &[&str] = &["category", "pos", "rot", "scale", "asset"];
+const REGION: &[&str] = &["pos", "rot", "scale", "vertices"];
+const PLACE: &[&str] = &["pos", "scale"];
+
+/// What other formats call them.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("position", "pos"),
+    ("translation", "pos"),
+    ("location", "pos"),
+    ("rotation", "rot"),
+    ("orientation", "rot"),
+    ("yaw", "rot"),
+    ("size", "scale"),
+    ("dimensions", "scale"),
+    ("extents", "scale"),
+    ("polygon", "vertices"),
+    ("outline", "vertices"),
+    ("rooms", "regions"),
+    ("program", "scene"),
+];
+
+/// The member that was meant by a key which is none.
+fn meant(key: &str, known: &[&'static str]) -> Option<&'static str> {
+    if known.contains(&key) {
+        return None;
+    }
+    let synonym = SYNONYMS.iter().find(|(other, ours)| other.eq_ignore_ascii_case(key) && known.contains(ours));
+    synonym.map(|(_, ours)| *ours).or_else(|| nearest(key, known.iter().copied()))
+}
 
 /// What the members of a document say.
 pub(super) struct DocumentMembers {
@@ -72,6 +105,7 @@ impl Reader<'_, '_> {
         if !self.format(root, members) {
             return None;
         }
+        self.unread(members, TOP, "the layout");
         let layout = Layout {
             scene: find(members, "scene").and_then(|m| self.text(&m.node, "`scene`")),
             seed: find(members, "seed").and_then(|m| self.seed(&m.node)),
@@ -151,6 +185,7 @@ impl Reader<'_, '_> {
     fn object(&mut self, member: &Member) -> Option<Placement> {
         let name = &member.key;
         let members = self.members(&member.node, name)?;
+        self.unread(members, OBJECT, &format!("`{name}`"));
         let place = self.place(member, members);
         let asset = match find(members, "asset") {
             Some(asset) => Some(self.members(&asset.node, &format!("{name}.asset"))?),
@@ -189,6 +224,7 @@ impl Reader<'_, '_> {
     fn region(&mut self, member: &Member) -> Option<RegionPlacement> {
         let name = &member.key;
         let members = self.members(&member.node, name)?;
+        self.unread(members, REGION, &format!("`{name}`"));
         let place = self.place(member, members);
         if let (Some([_, rot, _]), Some(m)) = (place, find(members, "rot")) {
             let off = |degrees: f64| (degrees - 360.0 * (degrees / 360.0).round()).abs();
@@ -205,12 +241,24 @@ impl Reader<'_, '_> {
         Some(RegionPlacement { pos, rot, scale, vertices })
     }
 
+    /// Warns of members that nothing reads and that are called nearly like one that is absent. Others belong to other tools.
+    /// What must be there is missed elsewhere, and told there.
+    fn unread(&mut self, members: &[Member], known: &[&'static str], owner: &str) {
+        for member in members {
+            let Some(key) = meant(&member.key, known) else { continue };
+            if find(members, key).is_none() && !matches!(key, "pos" | "scale" | "format") {
+                let say = format!("`{}` in {owner} is not read; did you mean `{key}`?", member.key);
+                self.error(codes::W0506, member.key_range, say);
+            }
+        }
+    }
+
     /// `pos`, `rot` and `scale` of an object or region; all are looked at before giving up.
     fn place(&mut self, owner: &Member, members: &[Member]) -> Option<[Vec3; 3]> {
         let missing: Vec<&str> = ["pos", "scale"].into_iter().filter(|k| find(members, k).is_none()).collect();
         if !missing.is_empty() {
-            // A member that nothing reads, under a longer name: `position`.
-            let is_like = |m: &&Member| missing.iter().any(|key| m.key.len() > key.len() && m.key.starts_with(key));
+            // A member that nothing reads, under another name: `position`.
+            let is_like = |m: &&Member| meant(&m.key, PLACE).is_some_and(|key| missing.contains(&key));
             let like = members.iter().find(is_like).map_or(String::new(), |m| format!("; `{}` is not read", m.key));
             let named: Vec<String> = missing.iter().map(|key| format!("`{key}`")).collect();
             let say = format!("`{}` has no {}{like}", owner.key, named.join(" and no "));
@@ -383,7 +431,13 @@ impl Reader<'_, '_> {
     ) -> Option<Vec3> {
         match node.items() {
             Some(items @ [_, _, _]) => {
-                let read: Vec<Option<f64>> = items.iter().map(|n| read(self, n, what)).collect();
+                let is_plain = |n: &JsonNode| matches!(n.value, Json::Number(x) if x.abs() <= LARGEST);
+                let mut component = |n: &JsonNode, axis: &str| match is_plain(n) {
+                    true => read(self, n, what),
+                    false => read(self, n, &format!("the {axis} component of {what}")),
+                };
+                let read: Vec<Option<f64>> =
+                    items.iter().zip(["x", "y", "z"]).map(|(n, axis)| component(n, axis)).collect();
                 Some(Vec3::new(read[0]?, read[1]?, read[2]?))
             }
             Some(items) if !node.is_spoilt() => {

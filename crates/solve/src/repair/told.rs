@@ -132,8 +132,7 @@ impl AlternativesReport<'_> {
             parts.push(format!("{} ({})", demoted(a.edits.len()), places.join(", ")));
         } else {
             parts.extend(a.edits.iter().enumerate().map(|(i, edit)| {
-                let least = |least: &f64| format!(", by at least {}", short(least.abs()));
-                let least = a.least.get(i).map_or(String::new(), least);
+                let least = a.least.get(i).map_or(String::new(), |least| needed(a.shown.get(i), *least));
                 format!("{} ({}{least})", edit_in_words(self.program, sources, a, i), place(edit))
             }));
         }
@@ -167,14 +166,35 @@ pub fn title(program: &Program, sources: &SourceMap, a: &Alternative) -> String 
 /// What changes in the layout.
 fn layout_in_words(program: &Program, a: &Alternative) -> Vec<String> {
     let mut parts = Vec::new();
-    let steps: Vec<ObjectMove> = a.moves.iter().map(Moved::step).collect();
+    let is_moved = |step: &ObjectMove| step.by != [0.0; 3] || step.turn != 0.0;
+    let resized = |m: &&Moved| m.from.scale != m.to.scale;
+    let resizes = |object: ObjectId| a.moves.iter().any(|m| m.object == object && resized(&m));
+    let steps = a.moves.iter().map(Moved::step).filter(|step| is_moved(step) || !resizes(step.object));
+    let steps: Vec<ObjectMove> = steps.collect();
     if !steps.is_empty() {
         parts.push(move_in_words(program, &SmallestMove { steps, breaks: Vec::new(), repairs: Vec::new() }));
     }
+    parts.extend(a.moves.iter().filter(resized).map(|m| {
+        let [w, h, d] = [m.to.scale.x, m.to.scale.y, m.to.scale.z];
+        format!("resize `{}` to {w:.2} × {h:.2} × {d:.2} m", program.objects[m.object.0 as usize].name)
+    }));
     if !a.also.is_empty() {
         parts.push(format!("change `{}`", a.also.join("`, `")));
     }
     parts
+}
+
+/// How far a number must at least be changed: to which value, if it is shown in the unit of the change.
+fn needed(shown: Option<&[String; 2]>, least: f64) -> String {
+    let parts = shown.and_then(|[old, _]| old.split_once(' '));
+    let old = parts.filter(|(_, unit)| *unit == "m").and_then(|(number, _)| number.parse::<f64>().ok());
+    match old {
+        Some(old) => {
+            let bound = if least < 0.0 { "at most" } else { "at least" };
+            format!(", it must be {bound} {} m", short(old + least))
+        }
+        None => format!(", by at least {}", short(least.abs())),
+    }
 }
 
 /// What an edit of the text means.

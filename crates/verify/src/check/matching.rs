@@ -74,7 +74,7 @@ fn unknown(
                     let (title, key) = (format!("did you mean `{near}`?"), serde_json::Value::from(near));
                     finding.fix(Applicability::Unsafe, title, place.key, key.to_string())
                 }
-                None => finding,
+                None => finding.note(format!("remove it from the layout, or declare it: `{what} {base};`")),
             }
         });
     }

@@ -283,12 +283,13 @@ impl<'a> Rules<'a> {
                 return String::new();
             };
             let region_name = &self.program.regions[region.0 as usize].name;
-            let far = number(truth.margin.abs(), Unit::Metre);
             if truth.holds {
                 return format!("it is inside `{region_name}`");
             }
+            let mut far = truth.margin.abs();
             let place = world.region(region).map_or("a wall", |room| {
                 let inside = inside_clearance(&thing.body.obb, &room.prism);
+                far = far.max(-inside.least());
                 if inside.least() == inside.horizontal.value {
                     "a wall"
                 } else if inside.least() == inside.floor {
@@ -297,10 +298,14 @@ impl<'a> Rules<'a> {
                     "the ceiling"
                 }
             });
-            let name = self.name(id);
-            format!(
-                "`{name}` extends beyond {place} of `{region_name}`, the nearest region, by {far} m more than allowed"
-            )
+            let (name, allowed) = (self.name(id), far - truth.margin.abs());
+            let metres = |x: f64| number(x, Unit::Metre);
+            let allowed = match allowed > 1e-9 {
+                true => format!(" ({} m is allowed)", metres(allowed)),
+                false => String::new(),
+            };
+            let far = metres(far);
+            format!("`{name}` extends {far} m beyond {place} of `{region_name}`, the nearest region{allowed}")
         })
     }
 

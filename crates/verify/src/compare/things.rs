@@ -183,9 +183,9 @@ fn moved(from: Vec3, to: Vec3) -> Option<Change> {
     })
 }
 
-/// `0.50 m right, 0.14 m back`, in the frame of the world, the longest way first.
+/// `0.50 m east, 0.14 m south`, the longest way first: north is +z, as in the moves that `check` suggests.
 fn direction(by: Vec3) -> String {
-    let mut ways: Vec<(f64, &str)> = [(by.x, "right", "left"), (by.y, "up", "down"), (by.z, "forward", "back")]
+    let mut ways: Vec<(f64, &str)> = [(by.x, "east", "west"), (by.y, "up", "down"), (by.z, "north", "south")]
         .into_iter()
         .map(|(way, more, less)| (way.abs(), if way > 0.0 { more } else { less }))
         .filter(|(way, _)| *way >= SLIGHT * by.norm())
@@ -261,8 +261,8 @@ fn asset(before: &Json, after: &Json) -> Option<Change> {
     names.extend(keys(after).into_iter().filter(|k| before.get(k).is_none()));
     names.retain(|key| before.get(key) != after.get(key));
     let words = match (before, after) {
-        (Json::Null, _) => "it has an asset now".to_owned(),
-        (_, Json::Null) => "it no longer has an asset".to_owned(),
+        (Json::Null, _) => "added".to_owned(),
+        (_, Json::Null) => "removed".to_owned(),
         _ => format!("other {}", names.join(", ")),
     };
     Some(Change { what: DifferenceKind::Asset, words, amount: None, before: None, after: None })
@@ -323,9 +323,9 @@ mod tests {
     #[test]
     fn directions_are_those_of_the_world() {
         for (by, wanted) in [
-            ([0.5, 0.0, 0.0], "0.5 m right"),
-            ([-0.5, 0.0, -1.0], "1 m back, 0.5 m left"),
-            ([0.01, 1.0, 0.2], "1 m up, 0.2 m forward"),
+            ([0.5, 0.0, 0.0], "0.5 m east"),
+            ([-0.5, 0.0, -1.0], "1 m south, 0.5 m west"),
+            ([0.01, 1.0, 0.2], "1 m up, 0.2 m north"),
             ([0.0, -0.0005, 0.0], "0.0005 m down"),
         ] {
             assert_eq!(direction(Vec3::from(by)), wanted);

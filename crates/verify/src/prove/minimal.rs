@@ -10,11 +10,14 @@ use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
-    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, Owner, Pinned, Program, RegionId,
+    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, ObjectId, Owner, Pinned, Program,
+    RegionId,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
 
+/// So many usual sizes are tried whether a contradiction rests on them.
+const MOST_SIZES: usize = 6;
 /// So many contradictions are looked for.
 const MOST_CONTRADICTIONS: usize = 10;
 /// A statement is compared with at most so many others that speak of the same things.
@@ -307,7 +310,31 @@ impl<'a> Prover<'a> {
         definitions.sort_unstable();
         definitions.dedup();
         let proof = told.map_or(proof, |t| t.proof);
-        Some(Contradiction { statements, definitions, rules, reason, as_usual, proof })
+        let sizes = if as_usual { self.sizes(&statements) } else { Vec::new() };
+        Some(Contradiction { statements, definitions, rules, reason, as_usual, sizes, proof })
+    }
+
+    /// The usual sizes without which a set of statements is not refuted: of the objects that they speak of.
+    fn sizes(&mut self, statements: &[usize]) -> Vec<(ObjectId, [f64; 3])> {
+        let Some(usual) = self.usual else { return Vec::new() };
+        let spoken = |s: &usize| self.program.constraints[*s].formula.objects();
+        let objects: BTreeSet<ObjectId> = statements.iter().flat_map(spoken).collect();
+        let sized = |id: ObjectId| usual.size[id.0 as usize].map(|size| (id, size));
+        let mut left: Vec<(ObjectId, [f64; 3])> = objects.into_iter().filter_map(sized).collect();
+        // Each is tried while they are few; of many it is not known which of them matter.
+        if left.len() > MOST_SIZES {
+            return Vec::new();
+        }
+        let mut without = usual.clone();
+        for (id, _) in std::mem::take(&mut left) {
+            let size = without.size[id.0 as usize].take();
+            let choice = Choice { usual: Some(&without), ..self.whole(statements) };
+            if self.refute(choice, SMALLER, false).is_none() {
+                without.size[id.0 as usize] = size;
+                left.extend(size.map(|size| (id, size)));
+            }
+        }
+        left
     }
 
     /// Whether an upper bound of a distance holds wherever things stand in a room of the size that it has.

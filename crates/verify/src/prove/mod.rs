@@ -31,7 +31,7 @@ pub use usual::core_of;
 
 use crate::tolerances::Options;
 use scenelang_base::Diagnostic;
-use scenelang_lang::program::Program;
+use scenelang_lang::program::{ObjectId, Program};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -93,6 +93,8 @@ pub struct Contradiction {
     pub reason: Option<String>,
     /// Whether it rests on what is usual: something tilted, turned, stacked or of another size may satisfy the program.
     pub as_usual: bool,
+    /// Objects, and the usual sizes (metres) of theirs that it rests on.
+    pub sizes: Vec<(ObjectId, [f64; 3])>,
     /// Why, if that was asked for.
     pub proof: Option<Proof>,
 }

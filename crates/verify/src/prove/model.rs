@@ -692,6 +692,11 @@ impl Unknowns<'_> {
             note(room.scale.0, format!("{region}.scale"));
             note(room.rot.0, format!("{region}.rot"));
         }
+        for (index, object) in self.program_objects().enumerate() {
+            if let Some(surface) = self.surface_known(ObjectId(index as u32)) {
+                out.insert(surface, format!("{object}.surface"));
+            }
+        }
         for (variable, value) in self.program_variables().zip(&self.world.variables) {
             match value {
                 Ok(Value::Number(n)) => drop(out.insert(*n, variable.to_owned())),

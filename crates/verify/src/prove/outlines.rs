@@ -26,7 +26,15 @@ pub(super) fn impossible(program: &Program, options: &Options) -> Vec<Contradict
             .collect();
         let why = Polygon::new(&vertices?).err()?.to_string();
         let (statements, definitions) = (vec![pin.constraint], Vec::new());
-        Some(Contradiction { statements, definitions, rules: vec![why], reason: None, as_usual: false, proof: None })
+        Some(Contradiction {
+            statements,
+            definitions,
+            rules: vec![why],
+            reason: None,
+            as_usual: false,
+            sizes: Vec::new(),
+            proof: None,
+        })
     })
     .collect()
 }

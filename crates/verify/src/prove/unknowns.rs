@@ -450,6 +450,11 @@ impl<'p> Unknowns<'p> {
         surface
     }
 
+    /// The height of an object's support surface, if it is spoken of.
+    pub fn surface_known(&self, id: ObjectId) -> Option<Term> {
+        self.terms.get(&format!("surface {id:?}")).copied()
+    }
+
     /// A horizontal vector in the frame of a region: along its right and its front.
     pub fn framed(&mut self, region: RegionId, x: Term, z: Term) -> [Term; 2] {
         let [c, s] = self.yaws[region.0 as usize];

@@ -9,7 +9,8 @@ use super::tape::{Claim, Op, Term};
 use super::{Contradiction, Findings, Proof, ProofStep};
 use rustc_hash::FxHashMap;
 use scenelang_base::{Diagnostic, Span, codes};
-use scenelang_lang::program::Program;
+use scenelang_lang::program::{BuiltIn, Node, ObjectId, Program};
+use scenelang_lang::roles::role_of;
 
 /// Of a contradiction that rests on what is usual.
 const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: the proof assumes that \
@@ -48,7 +49,8 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         (None, []) => String::new(),
         (None, [one]) => format!(", given that {one}"),
         (None, [one, two]) => format!(", given that {one} and {two}"),
-        (None, [one, rest @ ..]) => format!(", given that {one}, and {} other rules", rest.len()),
+        (None, [one, two, three]) => format!(", given that {one}, {two} and {three}"),
+        (None, [one, two, rest @ ..]) => format!(", given that {one}, {two} and {} more (see below)", rest.len()),
     };
     // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
     let speaks = |s: &usize| !of(*s).formula.objects().is_empty();
@@ -63,8 +65,36 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     for (span, text) in members {
         finding = finding.related(span, format!("`{text}`"));
     }
+    if let (None, [_, _, rest @ ..]) = (&found.reason, found.rules.as_slice())
+        && rest.len() > 1
+    {
+        finding = finding.note(format!("it also follows from these: {}", list(rest)));
+    }
     if found.as_usual {
         finding = finding.note(AS_USUAL);
+    }
+    if let Some((first, _)) = found.sizes.first() {
+        let name = |id: ObjectId| program.objects[id.0 as usize].name.as_str();
+        let size = |(id, [w, h, d]): &(ObjectId, [f64; 3])| {
+            format!("`{}` {} × {} × {} m", name(*id), short(*w), short(*h), short(*d))
+        };
+        let sizes: Vec<String> = found.sizes.iter().map(size).collect();
+        finding = finding.note(format!(
+            "usual sizes are assumed (width × height × depth): {}; to change one, write `{}.dimensions <- vec3(…);` or a \
+             more specific category",
+            list(&sizes),
+            name(*first)
+        ));
+    }
+    if let Some(opening) = unconnected(found, program) {
+        let room = match program.regions.as_slice() {
+            [room] => room.name.as_str(),
+            _ => "…",
+        };
+        finding = finding.note(format!(
+            "a door or window belongs in a wall: `assert connects({0}, {room});` names its room, and lets `{0}` stand in the wall",
+            program.objects[opening.0 as usize].name
+        ));
     }
     if let Some(proof) = &found.proof {
         for step in &proof.steps {
@@ -72,6 +102,32 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         }
     }
     finding
+}
+
+/// Some things, as a sentence lists them.
+fn list(parts: &[String]) -> String {
+    match parts {
+        [] => String::new(),
+        [one] => one.clone(),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
+}
+
+/// A door or window in a contradiction of which nothing says that it connects rooms.
+fn unconnected(found: &Contradiction, program: &Program) -> Option<ObjectId> {
+    let is_opening = |id: &ObjectId| {
+        let object = &program.objects[id.0 as usize];
+        let what = if object.category.is_empty() { object.name.as_str() } else { object.category.as_str() };
+        matches!(role_of(what), "door" | "window")
+    };
+    let connects = |id: ObjectId| {
+        program.constraints.iter().any(|c| {
+            let is_connects = |node: &Node| matches!(node, Node::BuiltIn(BuiltIn::Connects, _));
+            c.formula.nodes.iter().any(is_connects) && c.formula.objects().contains(&id)
+        })
+    };
+    let spoken = found.statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
+    spoken.filter(is_opening).find(|id| !connects(*id))
 }
 
 /// A proof in words.

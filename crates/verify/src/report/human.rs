@@ -184,6 +184,10 @@ pub(super) fn summary(report: &super::Report) -> String {
         let shown = if satisfied < total { figure.min(0.99) } else { figure };
         text.push_str(&format!("{comma}design {shown:.2} ({satisfied} of {total} guidelines hold)"));
     }
+    let unchecked = report.constraints.iter().filter(|row| row.satisfied.is_none()).count();
+    if unchecked > 0 {
+        text.push_str(&format!(", {unchecked} could not be checked"));
+    }
     let errors = report.diagnostics.iter().filter(|d| d.severity == "error").count();
     let warnings = report.diagnostics.len() - errors;
     for (count, what) in [(errors, "error"), (warnings, "warning")] {

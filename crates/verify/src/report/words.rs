@@ -4,7 +4,7 @@ use crate::check::{Checked, Judged, Subject};
 use crate::explain::{RowRef, SmallestMove, move_in_words, row_in_words};
 use crate::report::model::RowKind;
 use scenelang_base::codes;
-use scenelang_lang::program::{ObjectId, Program};
+use scenelang_lang::program::{Node, ObjectId, Owner, Pinned, Program};
 
 /// What the words of one report need to know.
 pub(super) struct Words<'a> {
@@ -43,11 +43,16 @@ impl<'a> Words<'a> {
         let name = |rows: &RowRef| row_in_words(program, *rows, |index| self.line(program, index, row));
         // What stands against it does not matter where a move violates nothing.
         let is_free = explanation.repair.as_ref().is_some_and(|repair| repair.breaks.is_empty());
-        for against in explanation.opposing.iter().filter(|_| !is_free) {
+        // What somebody stated is nearer to the reader than a rule.
+        let mut opposing: Vec<&RowRef> = explanation.opposing.iter().collect();
+        opposing.sort_by_key(|row| !matches!(row.subject, Subject::Statement(_)));
+        for against in opposing.into_iter().filter(|_| !is_free) {
             notes.push(format!("{} conflicts with this constraint", name(against)));
         }
         if let Some(repair) = &explanation.repair {
             hints.push(format!("{}{}", move_in_words(program, repair), self.effect(repair, row, &name)));
+        } else if let Some(hint) = size_in_layout(program, row) {
+            hints.push(hint);
         } else if explanation.searched {
             notes.push("no repair was found that moves only a few objects".to_owned());
         }
@@ -101,4 +106,22 @@ impl<'a> Words<'a> {
         }
         format!(": {}", parts.join("; "))
     }
+}
+
+/// What the layout should say where a size differs from the one that the program assigns: no move changes that.
+fn size_in_layout(program: &Program, row: &Judged) -> Option<String> {
+    let Subject::Statement(index) = row.subject else { return None };
+    let pin = program.pins.iter().find(|pin| pin.constraint == index && pin.property == Pinned::Scale)?;
+    let name = match pin.owner {
+        Owner::Object(id) => &program.objects[id.0 as usize].name,
+        Owner::Region(id) => &program.regions[id.0 as usize].name,
+    };
+    let size = pin.values.first()?;
+    let Node::Vector(sides) = size.node(size.root) else { return None };
+    let number = |side| match size.node(side) {
+        Node::Number(number) => Some(number.to_string()),
+        _ => None,
+    };
+    let sides = sides.iter().map(|side| number(*side)).collect::<Option<Vec<_>>>()?;
+    Some(format!("set the `scale` of `{name}` in the layout to [{}]", sides.join(", ")))
 }

@@ -36,6 +36,8 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("ensure", "assert"),
     ("check", "assert"),
     ("must", "assert"),
+    ("shall", "assert"),
+    ("should", "prefer"),
     ("soft", "prefer"),
     ("room", "region"),
     ("area", "region"),
@@ -50,10 +52,16 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("float", "Number"),
     ("int", "Number"),
     ("double", "Number"),
+    ("length", "Number"),
+    ("real", "Number"),
     ("angle", "Degree"),
     ("boolean", "Bool"),
     ("vec3", "Vector3"),
     ("quaternion", "Rotation"),
+    ("allowOverlap", "allowCollide"),
+    ("allowOverlaps", "allowCollide"),
+    ("allowIntersect", "allowCollide"),
+    ("allowCollision", "allowCollide"),
 ];
 
 /// Statements that the language does not have, and what is written instead.
@@ -173,6 +181,12 @@ pub fn declaration(site: &Site<'_>) -> Option<Finding> {
                 diagnostic
             }
         }
+        Kind::Minus if matches!(site.kind(site.at + 1), Some(Kind::Ident | Kind::Number)) => {
+            let joined = format!("{name}_{}", site.slice(site.at + 1));
+            let place = site.range(site.at - 1).cover(site.range(site.at + 1));
+            let diagnostic = Diagnostic::new(E0110, place, "a name cannot contain `-`");
+            diagnostic.fix(Applicability::Unsafe, format!("call it `{joined}`"), place, joined)
+        }
         Kind::Ident => {
             let message = format!("expected `;` after the name `{name}`, found {}", site.name_of(site.at));
             let diagnostic = Diagnostic::new(E0110, place, message)
@@ -220,12 +234,21 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let next = site.found().filter(|_| assigns(site) && site.at == site.head + 1)?;
     let (head, after) = (site.range(site.head), site.slice(site.at));
     let diagnostic = Diagnostic::new(E0115, head, format!("unknown statement {}", site.quoted(site.head)));
+    let value = site.ranges.get(site.at + 2).map(|first| first.cover(site.range(site.kinds.len() - 1)));
     match meant_statement(site.slice(site.head), after) {
         Some((near, _)) => {
             // `Object lamp` can mean nothing else.
             let other_case = near.eq_ignore_ascii_case(site.slice(site.head));
             let applicability = if other_case { Applicability::Safe } else { Applicability::Unsafe };
             let diagnostic = match near {
+                "Number" if site.kind(site.at + 1) == Some(Kind::Eq) && value.is_some() => {
+                    let value = value.map_or("", |value| &site.text[value.bytes()]);
+                    let written = format!("Number {after}; {after} <- {value}");
+                    let whole = head.cover(site.range(site.kinds.len() - 1));
+                    let title = format!("write {}", super::quote(&written));
+                    let diagnostic = diagnostic.label("a variable is declared with its type, and then assigned");
+                    return Some(diagnostic.fix(Applicability::Unsafe, title, whole, written));
+                }
                 "Number" if !other_case => {
                     diagnostic.label("a variable declaration begins with a type, such as `Number`")
                 }
@@ -258,6 +281,13 @@ pub fn no_arrow(site: &Site<'_>) -> Option<Finding> {
         return Some(Diagnostic::new(E0110, place, message).label("expected `<-` and a value"));
     };
     use Kind::*;
+    if next == LParen
+        && let Some((near, _)) = meant_statement(site.slice(site.head), "(")
+    {
+        let message = format!("unknown statement {}", site.quoted(site.head));
+        let diagnostic = Diagnostic::new(E0115, head, message).label(format!("did you mean `{near}`?"));
+        return Some(diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), head, near));
+    }
     if matches!(next, LParen | Ne | Lt | Le | Gt | Ge | And | Or | Implies) {
         return Some(assert_it(Diagnostic::new(E0110, head, UNASSERTED), head));
     }

@@ -4,6 +4,7 @@
 //! most telling first; what no rule knows is said plainly: found this, expected that.
 
 mod brackets;
+mod habits;
 mod heads;
 mod operands;
 mod operators;
@@ -63,7 +64,14 @@ const RULES: &[fn(&Site<'_>) -> Option<Finding>] = &[
     operands::needs_parentheses,
     operands::split_operator,
     operands::list,
+    habits::shared_side,
     operands::missing,
+    habits::prefix,
+    habits::called_quantifier,
+    habits::sentence,
+    habits::weight,
+    habits::vector,
+    habits::no_colon,
     operators::comma,
     operators::unit,
     operators::misspelt,

@@ -1,5 +1,6 @@
 //! Where a value is complete and what follows does not go on from it.
 
+use super::super::lexical::unit_meant;
 use super::super::wanted::Wanted;
 use super::super::words::is_constructor;
 use super::{After, Finding, Site};
@@ -42,8 +43,8 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
         let message = "a decimal point is written as `.`";
         return Some(Diagnostic::new(E0110, place, message).fix(Applicability::Unsafe, "write `.`", place, "."));
     }
-    if let Some(open) = site.innermost_open() {
-        return vector(site, open);
+    if site.innermost_open().is_some() {
+        return None;
     }
     if after.is_none() {
         let diagnostic = Diagnostic::new(E0110, place, "a statement ends with `;`, not with a comma");
@@ -56,46 +57,27 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
     Some(diagnostic.fix(Applicability::Unsafe, "write `and`", place, " and"))
 }
 
-/// `(1, 0, 2)`: a vector without its name.
-fn vector(site: &Site<'_>, open: usize) -> Option<Finding> {
-    let is_call =
-        open.checked_sub(1).and_then(|at| site.kind(at)).is_some_and(|k| k == Kind::Ident || is_constructor(k));
-    if is_call || site.kind(open) != Some(Kind::LParen) {
-        return None;
-    }
-    let mut depth = 0;
-    let mut components = 1;
-    for at in open + 1.. {
-        match site.kind(at)? {
-            Kind::LParen | Kind::LBracket => depth += 1,
-            Kind::RParen if depth == 0 => break,
-            Kind::RParen | Kind::RBracket => depth -= 1,
-            Kind::Comma if depth == 0 => components += 1,
-            _ => {}
-        }
-    }
-    let diagnostic = Diagnostic::new(E0110, site.range(open), "a vector is written `vec3(x, y, z)`");
-    Some(match components {
-        3 => diagnostic.fix(Applicability::Unsafe, "write `vec3(`", site.range(open), "vec3("),
-        _ => diagnostic.note(format!("a vector has three components; these are {components}")),
-    })
-}
-
 /// `adn`, `AND`, `then`: a word in the place of an operator.
 pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     if !complete(site) || site.found() != Some(Kind::Ident) {
         return None;
     }
     let word = site.slice(site.at);
-    if library::names().any(|name| name == word) || BuiltIn::named(word).is_some() {
-        let (before, after) = (site.slice(site.at - 1), site.slice(site.at + 1));
+    let next = site.kind(site.at + 1);
+    let is_function = library::names().any(|name| name == word) || BuiltIn::named(word).is_some();
+    if is_function && next != Some(Kind::LParen) {
         let message = format!("`{word}` is no operator; it is called with its arguments in parentheses");
-        let note = format!("as in `{word}({before}, {after})`");
-        return Some(Diagnostic::new(E0116, site.range(site.at), message).note(note));
+        let diagnostic = Diagnostic::new(E0116, site.range(site.at), message);
+        let operands = site.before() == Some(Kind::Ident) && next == Some(Kind::Ident);
+        let (before, after) = (site.slice(site.at - 1), site.slice(site.at + 1));
+        let more = library::predicate_head(word).is_some_and(|head| head.params.len() > 2);
+        let rest = if more { ", …" } else { "" };
+        let note = format!("as in `{word}({before}, {after}{rest})`");
+        return Some(if operands { diagnostic.note(note) } else { diagnostic });
     }
     let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
     // A lone word behind a value is more likely a second name than an operator.
-    site.kind(site.at + 1).filter(|k| !matches!(k, Kind::RParen | Kind::RBracket | Kind::Comma | Kind::Dot))?;
+    next.filter(|k| !matches!(k, Kind::RParen | Kind::RBracket | Kind::Comma | Kind::Dot))?;
     let ours = ["and", "or", "implies", "where", "weight"];
     let other_case = ours.into_iter().find(|operator| operator.eq_ignore_ascii_case(word));
     let near = synonym.or(other_case).or_else(|| nearest(word, ours))?;
@@ -109,14 +91,18 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
 
 /// `5 cm`: a unit apart from its number.
 pub fn unit(site: &Site<'_>) -> Option<Finding> {
-    let unit = site.slice(site.at);
-    if site.before() != Some(Kind::Number) || !UNITS.contains(&unit) || !complete(site) {
+    let written = site.slice(site.at);
+    if site.before() != Some(Kind::Number) || !complete(site) {
         return None;
     }
+    let unit = UNITS.into_iter().find(|unit| *unit == written).or_else(|| unit_meant(written))?;
     let number = site.range(site.at - 1);
     let place = number.cover(site.range(site.at));
-    let diagnostic =
-        Diagnostic::new(E0110, site.range(site.at), "there must be no space between a number and its unit");
+    let message = match unit == written {
+        true => "there must be no space between a number and its unit".to_owned(),
+        false => format!("the unit {} is written `{unit}`, directly after the number", site.quoted(site.at)),
+    };
+    let diagnostic = Diagnostic::new(E0110, site.range(site.at), message);
     let joined = format!("{}{unit}", site.slice(site.at - 1));
     let title = format!("write {}", super::quote(&joined));
     Some(diagnostic.fix(Applicability::Safe, title, place, joined))

@@ -117,7 +117,8 @@ impl Speaker<'_> {
                 self.program.statements.push(Statement::Pin(own.clone().of("rot"), value));
             }
             if thing.dimensions.is_none() && self.dice.chance(12) {
-                let value = vector(near(self.dice, thing.scale), "vec3");
+                // A size of 0 or less is refused in the program already.
+                let value = vector(near(self.dice, thing.scale).map(|side| side.abs().max(1e-4)), "vec3");
                 self.program.statements.push(Statement::Pin(own.of("scale"), value));
             }
         }
