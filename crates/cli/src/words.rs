@@ -154,7 +154,7 @@ fn section(chapter: &str, word: &str) -> Option<String> {
     let mut out = format!("{}\n", lines.next()?);
     for line in lines.take_while(|line| !line.starts_with("## ")) {
         // What was left out leaves one empty line.
-        if !line.starts_with("![") && !(line.is_empty() && out.ends_with("\n\n")) {
+        if !(line.starts_with("![") || line.is_empty() && out.ends_with("\n\n")) {
             out.push_str(line);
             out.push('\n');
         }
