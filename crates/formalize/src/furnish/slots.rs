@@ -259,6 +259,9 @@ pub fn capacity(table: [f64; 3], seat: [f64; 3], round: bool) -> usize {
     2 * room_at(long, seat[0]).max(1) + 2 * usize::from(short >= seat[0] + 0.15)
 }
 
+/// From the middle of a seat to that of the next, where two sit side by side (metres).
+const ABREAST: f64 = 0.64;
+
 /// Seats spread evenly at the sides of a table, turned to it.
 fn around(n: usize, gap: f64, sizes: &Sizes, ends: bool) -> Vec<Slot> {
     let ([width, _, depth], [w, _, d]) = (sizes.of, sizes.own);
@@ -277,8 +280,10 @@ fn around(n: usize, gap: f64, sizes: &Sizes, ends: bool) -> Vec<Slot> {
         out.push(Slot { x, z, level: Level::Floor, yaw: yaw.rem_euclid(360.0) });
     };
     for (count, sign) in [(one, 1.0), (other, -1.0)] {
+        // Two at a short side sit as far apart as it allows.
+        let step = if count == 2 { (long / 2.0).max(ABREAST.min(long - w)) } else { long / count as f64 };
         for i in 0..count {
-            let along = long * ((i as f64 + 0.5) / count as f64 - 0.5);
+            let along = step * (i as f64 - (count as f64 - 1.0) / 2.0);
             place(along, sign * reach, if sign > 0.0 { 180.0 } else { 0.0 });
         }
     }
