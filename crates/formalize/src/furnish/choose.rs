@@ -368,8 +368,7 @@ impl Choice<'_> {
                 Wall::Left => pose.x < 0.0,
                 Wall::Right => pose.x > 0.0,
             });
-            let rests = stand::is_easy(self.noun) || self.is(&["bean bag"]);
-            let front = front + if self.taught && pose.z > 0.0 && rests { 1.5 } else { 0.0 };
+            let front = front + if self.taught && pose.z > 0.0 && stand::is_easy(self.noun) { 1.5 } else { 0.0 };
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
             // Behind a door nothing is seen but what one leaves there.
             let door = match self.noun.starts_with("shopping") {

@@ -19,6 +19,7 @@ fn expression() -> impl Strategy<Value = String> {
         "objects.pos",
         "weight",
         "lámpara.top",
+        "écran(a)",
     ];
     let leaf = prop::sample::select(words.to_vec()).prop_map(str::to_owned);
     leaf.prop_recursive(6, 40, 4, |inner| {

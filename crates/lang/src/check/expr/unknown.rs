@@ -141,7 +141,8 @@ impl Checker<'_, '_> {
         }
         let follows = |rest: &str| rest.is_empty() || rest.starts_with(char::is_uppercase);
         let begins = |known: &&SmolStr| known.strip_prefix(name).is_some_and(follows);
-        let inner: String = name[..1].to_uppercase() + &name[1..];
+        let mut letters = name.chars();
+        let inner: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
         let ends = |known: &&SmolStr| known.split_once(inner.as_str()).is_some_and(|(_, rest)| follows(rest));
         let mut near: Vec<SmolStr> = known.iter().filter(begins).cloned().collect();
         near.extend(known.iter().filter(ends).cloned());
