@@ -3,7 +3,7 @@
 use crate::config::Config;
 use crate::disk::{Files, Folders, Stamp, is_file, path_of, settings_for};
 use crate::dispatch::Tokens;
-use crate::proved::{Proofs, meaning};
+use crate::proved::{Proofs, Said};
 use crate::reading::Reading;
 use crate::shelf::{Shelf, Shelved};
 use crate::state::{Event, State, guarded};
@@ -58,8 +58,10 @@ pub struct OpenScene {
     pub outside: bool,
     /// What is proved of the program, until it says something else.
     pub proofs: Proofs,
-    /// A number for what the program says: what was proved of it is true as long as this is the same.
+    /// Another number whenever the program says something else: what was proved of it is true as long as this is the same.
     pub meaning: u64,
+    /// What it said when its text was last looked at.
+    said: Option<Said>,
     /// Whether the editor was told of proofs.
     pub told_proofs: bool,
     /// Proofs are to be looked for.
@@ -132,6 +134,7 @@ impl Documents {
                 outside: false,
                 proofs: Proofs::default(),
                 meaning: 0,
+                said: None,
                 told_proofs: false,
                 unproved: true,
                 shelf: None,
@@ -273,12 +276,14 @@ impl Documents {
         let (stale_text, stale_layout) = (scene.stale_text, scene.stale_layout);
         if std::mem::take(&mut scene.stale_text) {
             scene.host.set_text(text.as_str(), &files);
-            let before = std::mem::replace(&mut scene.meaning, meaning(&scene.host.snapshot()));
-            if scene.meaning == before {
+            let said = Said::new(&scene.host.snapshot(), text);
+            if scene.said.as_ref().is_some_and(|before| before.means_the_same(&said)) {
                 scene.proofs.follow(uri, text, self.encoding);
             } else {
+                scene.meaning += 1;
                 scene.proofs = Proofs::default();
             }
+            scene.said = Some(said);
         }
         if std::mem::take(&mut scene.stale_layout) {
             let before = scene.host.snapshot().judging().clone();
