@@ -2,7 +2,8 @@
 //!
 //! A line `Measured: …` in the documentation of a predicate is the sentence for a comparison of its body: the first line
 //! for the first comparison, the second for the second, `-` for one that needs none. `{value}` stands for the left side of
-//! the comparison, `{a}` for a parameter or a variable of a quantifier, `{value + d}` for a sum. `{beyond|short of}` is
+//! the comparison, `{a}` for a parameter or a variable of a quantifier, `{value + d}` for a sum, `{value:turn 30}` for the
+//! angle whose cosine is the left side, if the right side is that of 30°. `{beyond|short of}` is
 //! the first text where what was measured is 0 or more, else the second, and the sign is then left out. What the value must
 //! be is not part of the sentence: reports add it.
 
@@ -14,7 +15,7 @@ use std::sync::Arc;
 /// What a line of documentation begins with that is a template.
 pub const MARK: &str = "Measured:";
 
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Template {
     /// Its pieces, in order.
     pub pieces: Vec<TemplatePiece>,
@@ -22,21 +23,31 @@ pub struct Template {
     pub names: Vec<SmolStr>,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum TemplatePiece {
     /// Text as it stands.
     Text(String),
     /// A name by itself: an index into [`Template::names`].
     Name(usize),
-    /// What was measured, plus the terms; without its unit if it is `plain`.
+    /// What was measured, plus the terms.
     Value {
         /// Terms, each with whether it is taken away.
         terms: Vec<(bool, Term)>,
-        /// Whether it has no unit.
-        plain: bool,
+        shown: Shown,
     },
     /// One text where what was measured is 0 or more, and one where it is less.
     Choice([String; 2]),
+}
+
+/// How a value is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Shown {
+    #[default]
+    WithUnit,
+    /// Without a unit.
+    Plain,
+    /// As the angle whose cosine it is, at a scale on which what it must be is the cosine of so many degrees.
+    Turn(f64),
 }
 
 /// A term beside the value.
@@ -111,13 +122,12 @@ impl Template {
             self.pieces.push(TemplatePiece::Choice([first.trim(), second.trim()].map(str::to_owned)));
             return Ok(());
         }
-        let (sum, plain) = match inside.split_once(':') {
-            Some((sum, how)) if how.trim() == "plain" => (sum, true),
-            Some((_, how)) => return Err(format!("`{}`, where only `plain` is allowed", how.trim())),
-            None => (inside, false),
+        let (sum, shown) = match inside.split_once(':') {
+            Some((sum, how)) => (sum, Shown::read(how.trim())?),
+            None => (inside, Shown::WithUnit),
         };
         let sum = sum.trim();
-        if is_name(sum) && sum != "value" && !plain {
+        if is_name(sum) && sum != "value" && shown == Shown::WithUnit {
             let name = self.name(sum);
             self.pieces.push(TemplatePiece::Name(name));
             return Ok(());
@@ -144,7 +154,7 @@ impl Template {
         if values != 1 || expected {
             return Err(format!("`{{{inside}}}`, which is neither a name nor a sum with `value`"));
         }
-        self.pieces.push(TemplatePiece::Value { terms, plain });
+        self.pieces.push(TemplatePiece::Value { terms, shown });
         Ok(())
     }
 
@@ -165,6 +175,18 @@ impl Template {
             }),
             TemplatePiece::Text(_) | TemplatePiece::Name(_) | TemplatePiece::Choice(_) => true,
         })
+    }
+}
+
+impl Shown {
+    fn read(how: &str) -> Result<Self, String> {
+        let turn = || how.strip_prefix("turn ")?.trim().parse().ok().filter(|angle| (0.0..=180.0).contains(angle));
+        match how {
+            "plain" => Ok(Self::Plain),
+            _ => turn().map(Self::Turn).ok_or_else(|| {
+                format!("`{how}`, where only `plain`, or `turn` with an angle from 0 to 180, is allowed")
+            }),
+        }
     }
 }
 
@@ -220,7 +242,7 @@ mod tests {
                 TemplatePiece::Text(" is ".into()),
                 TemplatePiece::Value {
                     terms: vec![(false, Term::Name(1)), (true, Term::Number("0.5".into()))],
-                    plain: false
+                    shown: Shown::WithUnit
                 },
                 TemplatePiece::Text(" ".into()),
                 TemplatePiece::Choice(["beyond".into(), "short of".into()]),
@@ -236,7 +258,11 @@ mod tests {
         assert!(!template.fits(&[Named::Object(ObjectId(0)), Named::Object(ObjectId(1)), Named::Region(RegionId(0))]));
         assert_eq!(
             Template::parse("{value:plain} times").unwrap().pieces[0],
-            TemplatePiece::Value { terms: vec![], plain: true }
+            TemplatePiece::Value { terms: vec![], shown: Shown::Plain }
+        );
+        assert_eq!(
+            Template::parse("{a} looks {value:turn 30} past {b}").unwrap().pieces[2],
+            TemplatePiece::Value { terms: vec![], shown: Shown::Turn(30.0) }
         );
     }
 
@@ -251,7 +277,8 @@ mod tests {
             ("{a + d} {value}", "`{a + d}`, which is neither a name nor a sum with `value`"),
             ("{value * 2}", "`{value * 2}`, which is neither a name nor a sum"),
             ("{- value}", "`{- value}`, which is neither a name nor a sum"),
-            ("{value:cm}", "`cm`, where only `plain` is allowed"),
+            ("{value:cm}", "`cm`, where only `plain`, or `turn` with an angle from 0 to 180, is allowed"),
+            ("{value:turn 200}", "`turn 200`, where only `plain`, or `turn` with an angle from 0 to 180, is allowed"),
             ("{}", "`{}`, which is neither a name nor a sum with `value`"),
         ] {
             assert_eq!(Template::parse(text).unwrap_err(), why, "{text}");

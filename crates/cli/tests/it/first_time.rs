@@ -31,6 +31,7 @@ const SAID: &[(&[&str], u8, &str)] = &[
     (&["check", "unnamed.layout.json"], 2, "the layout names no program, so unnamed.scene is expected"),
     (&["check", "rotated.layout.json"], 0, "`rotation` in `bed` is not read; did you mean `rot`?"),
     (&["check", "sized.layout.json"], 1, "set the `scale` of `bed` in the layout to [1.6, 0.5, 2]"),
+    (&["check", "long.layout.json"], 1, "the layout seems to be in centimetres; lengths in a layout are in metres"),
     (&["check", "rooms.scene"], 0, "`living` and `kitchen` overlap by 2 m"),
     (&["check", "lamp.scene"], 1, "usual sizes are assumed (width × height × depth): `lamp` 0.4 × 1.55 × 0.4 m"),
     (&["check", "window.scene"], 1, "`assert connects(window, room);` names its room"),
@@ -51,6 +52,11 @@ fn commands_say_what_to_do() {
         ("rotated.layout.json", layout(&format!("\"scene\": \"study.scene\", {}", bed(", \"rotation\": [0, 90, 0]")))),
         ("sized.scene", format!("{PROGRAM}bed.dimensions <- vec3(1.6, 0.5, 2);\n")),
         ("sized.layout.json", layout(&bed(""))),
+        (
+            "long.layout.json",
+            layout(&bed("").replace("[1.5, 0.5, 2]", "[160, 50, 200]"))
+                .replace("{ \"format", "{ \"scene\": \"sized.scene\", \"format"),
+        ),
         ("rooms.scene", ROOMS.to_owned()),
         ("lamp.scene", LAMP.to_owned()),
         ("window.scene", WINDOW.to_owned()),

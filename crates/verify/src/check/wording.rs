@@ -3,7 +3,7 @@
 use super::describe::{relation, rounded, with_unit};
 use crate::eval::{Scratch, Value};
 use scenelang_lang::program::{Comparison, Program, Unit, Wording};
-use scenelang_lang::wording::{Named, TemplatePiece, Term};
+use scenelang_lang::wording::{Named, Shown, TemplatePiece, Term};
 
 /// A comparison that decided.
 pub(super) struct Compared {
@@ -40,25 +40,31 @@ impl Compared {
             TemplatePiece::Choice(texts) => Some(texts),
             _ => None,
         });
-        let (shift, plain) = pieces
+        let (shift, shown) = pieces
             .iter()
             .find_map(|piece| match piece {
-                TemplatePiece::Value { terms, plain } => Some((terms, *plain)),
+                TemplatePiece::Value { terms, shown } => Some((terms, *shown)),
                 _ => None,
             })
-            .map_or((0.0, false), |(terms, plain)| {
+            .map_or((0.0, Shown::WithUnit), |(terms, shown)| {
                 let of = |term: &Term| match term {
                     Term::Number(n) => n.parse().unwrap_or(0.0),
                     Term::Name(index) => number(*index).map_or(0.0, |(n, _)| n),
                 };
-                (terms.iter().map(|(minus, term)| if *minus { -of(term) } else { of(term) }).sum(), plain)
+                (terms.iter().map(|(minus, term)| if *minus { -of(term) } else { of(term) }).sum(), shown)
             });
         // What is no more than rounding has no sign.
         let [value, limit] = [self.left + shift, self.right + shift].map(|n| if n.abs() < 5e-5 { 0.0 } else { n });
         let quantity = |n: f64| {
             let n = if choice.is_some() { n.abs() } else { n };
-            if plain { rounded(n) } else { with_unit(n, self.unit) }
+            match shown {
+                Shown::WithUnit => with_unit(n, self.unit),
+                Shown::Plain => rounded(n),
+                Shown::Turn(most) => format!("{}°", rounded((turn(n, limit, most) * 10.0).round() / 10.0)),
+            }
         };
+        // The larger a cosine, the smaller the angle.
+        let op = if matches!(shown, Shown::Turn(_)) { mirrored(self.op) } else { self.op };
         let side = |texts: &[String; 2], n: f64| texts[usize::from(n < 0.0)].clone();
         let mut out = String::new();
         for piece in pieces {
@@ -71,6 +77,23 @@ impl Compared {
         }
         let must = if self.holds { "" } else { "must be " };
         let whither = choice.map_or_else(String::new, |texts| format!(" {}", side(texts, limit)));
-        format!("{out}, {must}{} {}{whither}", relation(self.op), quantity(limit))
+        format!("{out}, {must}{} {}{whither}", relation(op), quantity(limit))
+    }
+}
+
+/// The angle (degrees) whose cosine is to that of `most` as a value to its limit; without a limit there is no direction.
+fn turn(value: f64, limit: f64, most: f64) -> f64 {
+    let cosine = if limit.abs() > 1e-12 { most.to_radians().cos() * value / limit } else { 1.0 };
+    cosine.clamp(-1.0, 1.0).acos().to_degrees()
+}
+
+/// The same comparison of two angles as of their cosines.
+fn mirrored(op: Comparison) -> Comparison {
+    match op {
+        Comparison::Lt => Comparison::Gt,
+        Comparison::Le => Comparison::Ge,
+        Comparison::Gt => Comparison::Lt,
+        Comparison::Ge => Comparison::Le,
+        Comparison::Eq | Comparison::Ne => op,
     }
 }

@@ -185,6 +185,7 @@ const OTHER: &[&str] = &[
     "laundry",
     "jukebox",
     "mini",
+    "minibar",
     "cash",
     "toy",
     "play",

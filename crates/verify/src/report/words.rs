@@ -51,8 +51,13 @@ impl<'a> Words<'a> {
         }
         if let Some(repair) = &explanation.repair {
             hints.push(format!("{}{}", move_in_words(program, repair), self.effect(repair, row, &name)));
-        } else if let Some(hint) = size_in_layout(program, row) {
-            hints.push(hint);
+        } else if let Some((name, sides)) = size_in_layout(program, row) {
+            let written: Vec<String> = sides.iter().map(f64::to_string).collect();
+            hints.push(format!("set the `scale` of `{name}` in the layout to [{}]", written.join(", ")));
+            notes.extend(
+                self.other_unit(name, sides)
+                    .map(|unit| format!("the layout seems to be in {unit}; lengths in a layout are in metres")),
+            );
         } else if explanation.searched {
             notes.push("no repair was found that moves only a few objects".to_owned());
         }
@@ -71,6 +76,19 @@ impl<'a> Words<'a> {
         } else {
             format!("{}:{line}", self.checked.sources.get(span.file).name())
         }
+    }
+
+    /// The unit in which the layout seems to give a size that should be `sides` metres.
+    fn other_unit(&self, name: &str, sides: [f64; 3]) -> Option<&'static str> {
+        let layout = self.checked.layout.as_ref()?;
+        let given = layout.object(name).map(|placed| placed.scale);
+        let given = given.or_else(|| layout.region(name).map(|placed| placed.scale))?;
+        let is =
+            |factor: f64| given.iter().zip(sides).all(|(is, side)| (is - factor * side).abs() <= 0.01 * factor * side);
+        [("centimetres", 100.0), ("millimetres", 1000.0)]
+            .into_iter()
+            .find(|(_, factor)| is(*factor))
+            .map(|(unit, _)| unit)
     }
 
     /// What a move does to the rest.
@@ -108,8 +126,8 @@ impl<'a> Words<'a> {
     }
 }
 
-/// What the layout should say where a size differs from the one that the program assigns: no move changes that.
-fn size_in_layout(program: &Program, row: &Judged) -> Option<String> {
+/// The size that the program assigns to what the layout gives another one: no move changes that.
+fn size_in_layout<'p>(program: &'p Program, row: &Judged) -> Option<(&'p str, [f64; 3])> {
     let Subject::Statement(index) = row.subject else { return None };
     let pin = program.pins.iter().find(|pin| pin.constraint == index && pin.property == Pinned::Scale)?;
     let name = match pin.owner {
@@ -119,9 +137,9 @@ fn size_in_layout(program: &Program, row: &Judged) -> Option<String> {
     let size = pin.values.first()?;
     let Node::Vector(sides) = size.node(size.root) else { return None };
     let number = |side| match size.node(side) {
-        Node::Number(number) => Some(number.to_string()),
+        Node::Number(number) => Some(*number),
         _ => None,
     };
     let sides = sides.iter().map(|side| number(*side)).collect::<Option<Vec<_>>>()?;
-    Some(format!("set the `scale` of `{name}` in the layout to [{}]", sides.join(", ")))
+    Some((name, sides.try_into().ok()?))
 }
