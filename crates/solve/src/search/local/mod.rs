@@ -46,6 +46,8 @@ pub(crate) struct LocalSearch<'a> {
     pub trial: Trial<'a>,
     /// While preferences are raised against each other: by term, what it is worth that it holds.
     stake: Vec<f64>,
+    /// Whether doors and windows stay where they are: in a layout that was given, none is moved for a preference.
+    keeps_openings: bool,
     /// By object: where it was given a place; and what it costs to leave that.
     at_first: Vec<Option<Inputs>>,
     charge: f64,
@@ -92,6 +94,7 @@ impl<'a> LocalSearch<'a> {
         let mut local = Self {
             trial: Trial::new(frame, world, numbering, tips),
             stake: Vec::new(),
+            keeps_openings: false,
             at_first: vec![None; n],
             charge: 0.0,
             levels: Vec::new(),

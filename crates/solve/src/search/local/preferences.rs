@@ -74,6 +74,7 @@ impl LocalSearch<'_> {
         }
         preferences.sort_by(|a, b| b.weight.total_cmp(&a.weight).then(a.parts.cmp(&b.parts)));
         self.trial.preferring = true;
+        self.keeps_openings = settled;
         self.trial.weight.fill(1.0);
         let weights: Vec<(usize, f64)> = weights(&self.trial).collect();
         weights.into_iter().for_each(|(t, weight)| self.trial.weight[t] = weight);
@@ -97,6 +98,7 @@ impl LocalSearch<'_> {
         if !settled {
             self.optimise(&preferences, chance, (end, quality), limit);
         }
+        self.keeps_openings = false;
     }
 
     /// Demands a preference for a while.

@@ -68,7 +68,8 @@ impl LocalSearch<'_> {
         {
             return;
         }
-        let Some(i) = self.culprit(check, chance) else {
+        let kept = |i: &usize| self.keeps_openings && self.is_opening(*i);
+        let Some(i) = self.culprit(check, chance).filter(|i| !kept(i)) else {
             self.trial.weight[check] += STUBBORN;
             return;
         };
@@ -350,10 +351,15 @@ impl LocalSearch<'_> {
             Check::Bounds(a) | Check::Support(a) => moves(&a),
         }
         // Openings stay where they are as long as something else may help.
-        let opens = |i: &usize| matches!(self.homes[*i], Home::Door(_));
-        if self.trial.weight[check] < INSISTENT && !movers.iter().all(opens) {
+        let opens = |i: &usize| self.is_opening(*i);
+        if self.keeps_openings || self.trial.weight[check] < INSISTENT && !movers.iter().all(opens) {
             movers.retain(|i| !opens(i));
         }
         movers.get(chance.below(movers.len())).copied()
+    }
+
+    /// Whether an object is in a wall: a door or a window.
+    fn is_opening(&self, i: usize) -> bool {
+        matches!(self.homes[i], Home::Door(_))
     }
 }
