@@ -4,10 +4,13 @@ use crate::brief::{Brief, Fact, FactKind, Group, Look, Number, Rel, Thing, Thing
 use crate::furnish::{FENCED, kinds, seats_at};
 use crate::read::lexicon::{get, plural, singular};
 
+/// So many sit in a booth.
+pub const AT_BOOTH: usize = 4;
+
 /// How many sit on a seat, and at the table that goes with it.
 fn sit_on(seat: &Thing) -> usize {
     match seat.words.last().map_or("", String::as_str) {
-        "booth" => 4,
+        "booth" => AT_BOOTH,
         "sofa" | "couch" | "bench" => 3,
         _ => 1,
     }
@@ -16,10 +19,15 @@ fn sit_on(seat: &Thing) -> usize {
 /// "A table for twelve people; the chairs …": so many chairs. "Booths for twelve" are three.
 pub fn counted(brief: &mut Brief) {
     let Some(people) = brief.rooms.iter().find_map(|room| room.people) else { return };
+    // In a restaurant with booths half of the guests sit at tables.
+    let rooms: Vec<bool> =
+        brief.rooms.iter().map(|room| kinds::of(&room.name).is_some_and(kinds::has_tables)).collect();
     let mut seats = brief.things.iter_mut().filter(|i| i.group == Group::Seat && i.part.is_none());
     if let (Some(seat), None) = (seats.next(), seats.next())
         && seat.number == Number::Plural
     {
+        let shares = sit_on(seat) == AT_BOOTH && seat.places.is_none() && rooms.get(seat.room) == Some(&true);
+        let people = if shares { people.div_ceil(2) } else { people };
         seat.number = Number::Exactly(people.div_ceil(sit_on(seat)));
     }
 }
@@ -65,6 +73,11 @@ pub fn seats(brief: &mut Brief) {
             push(brief, island.room, "kitchen table", 1, &why)
         }
     };
+    // "A desk for two": side by side.
+    if people == 2 && is(&brief.things[table], "desk") {
+        brief.things[table].look.features.push("shared".into());
+        return;
+    }
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], FactKind::Rel(Rel::Around, vec![table]), ThingOrigin::Inferred(why)));
 }

@@ -1,7 +1,7 @@
 //! What a request leaves open is added to its brief: what rooms of a kind have, doors, seats for people, and what small
 //! things stand on. All that is added says why.
 
-mod defaults;
+pub(crate) mod defaults;
 mod home;
 mod settle;
 

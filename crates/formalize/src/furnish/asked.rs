@@ -4,16 +4,14 @@ use super::build::Root;
 use super::choose::{self, Choice, PULL};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::inventory::{TEAM, counter_length, is_watched_room, opposite_of};
+use super::inventory::{TEAM, counter_length, has_seats, opposite_of};
 use super::kinds::{self, Line, PlanPlace, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
-use super::spots::{
-    free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from,
-};
+use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, watched_from};
 use super::{facing, groups, order, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
-use crate::draft::{Demand, DraftThing, OpeningKind};
+use crate::draft::{Demand, DraftThing, OpeningKind, ThingOrigin};
 use std::cell::{Cell, RefCell};
 
 /// So many counters stand near the door.
@@ -22,6 +20,8 @@ const SERVED: usize = 4;
 const APART: f64 = 0.8;
 /// Seats that stand at a wall if nothing is said of them and such rooms have none.
 const ASIDE: [&str; 3] = ["bench", "chair", "visitor chair"];
+/// Booths stand side by side.
+pub(super) const BOOTH: &str = "booth";
 /// What is said to be so stands away from the walls.
 const FREE: [&str; 2] = ["freestanding", "free-standing"];
 /// What is asked for and finds no place counts like so many that stand badly.
@@ -108,6 +108,7 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         }
         if !sized {
             fit_horseshoe(plan, at);
+            fit_screen(plan, at);
         }
         let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
@@ -122,6 +123,12 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         // At a bar all sit on one side.
         let parts = groups::of(&thing.category, plan.kind.dress);
         let in_row = parts.iter().any(|part| matches!(part.at, groups::Where::Row(..)));
+        // Stools that stand at tables are not those of the bar.
+        let noun_of = |t: &DraftThing| t.category.replace('_', " ");
+        let sits = |t: &DraftThing| t.room == Some(plan.room) && t.count > 1 && has_seats(plan, &noun_of(t));
+        if in_row && plan.draft.things.iter().any(sits) {
+            continue;
+        }
         let (room_for, needed) = match in_row {
             true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
             false => {
@@ -138,6 +145,28 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         {
             size[0] = (needed * 100.0).ceil() / 100.0;
         }
+    }
+}
+
+/// A screen that many look at is as large as the length of their room asks.
+fn fit_screen(plan: &mut Plan, at: usize) {
+    const MANY: usize = 8;
+    const SHARE: f64 = 0.22;
+    const LARGEST: f64 = 2.2;
+    const SHAPE: f64 = 0.58;
+    let thing = &plan.draft.things[at];
+    let noun = thing.category.replace('_', " ");
+    let is_screen = ["screen", "tv", "television", "display"].iter().any(|end| noun.ends_with(end));
+    let is_usual = thing.size == Some(Plan::size(&noun));
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    let wide = (SHARE * w.max(d)).min(LARGEST);
+    let is_here = thing.room == Some(plan.room) && thing.count == 1;
+    let is_watched = stand::group(&noun) == Group::Screen && plan.people.is_some_and(|people| people >= MANY);
+    if let Some(size) = plan.draft.things[at].size.as_mut()
+        && (is_screen && is_usual && is_here && is_watched)
+        && size[0] < wide
+    {
+        (size[0], size[1]) = ((wide * 100.0).round() / 100.0, (SHAPE * wide * 100.0).round() / 100.0);
     }
 }
 
@@ -159,8 +188,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     }
     let it = plan.draft.things[thing].clone();
     let noun = it.category.replace('_', " ");
-    // Where such rooms have their own of it, it stands as those do.
-    // A kitchen is no counter at which guests are served.
+    // Where such rooms have their own of it, it stands as those do. A kitchen is no counter at which guests are served.
     let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
     // Nor is a desk to work at one at which visitors are received.
     let is_other = |line: &&Line| is_reception(&noun) && line.noun != noun && !stand::are_kin(line.noun, &noun);
@@ -233,13 +261,15 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         && it.count <= 2
         && !plan.draft.outdoor
         && !plan.is_placed(thing);
-    let in_run = matches!(own, Some(PlanPlace::Run)) || stand::is_unit(&noun, it.count) && !plan.is_placed(thing);
+    let waits = is_for_waiting(plan, thing);
+    let is_unit = waits || noun == BOOTH || stand::is_unit(&noun, it.count);
+    let in_run = own == Some(&PlanPlace::Run) || is_unit && !plan.is_placed(thing);
     // What is watched stands across from where one sits.
     let watched = line.filter(|line| matches!(line.place, PlanPlace::Opposite(_)));
     let looks_at = watched.and_then(|line| opposite_of(plan, line)).and_then(|name| plan.place_in_room(&name));
     let like = Like {
         line: own_place,
-        at_wall: has_back || at_wall_like || is_seat_aside,
+        at_wall: has_back || at_wall_like || is_seat_aside || waits,
         in_run,
         central: own == Some(&PlanPlace::Middle) && it.count == 1 && is_table && !plan.is_placed(thing),
         aside,
@@ -252,6 +282,23 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// Whether many chairs are asked for in a room in which visitors are received and nobody sits at tables: they wait there.
+pub(super) fn is_for_waiting(plan: &Plan, thing: usize) -> bool {
+    let it = &plan.draft.things[thing];
+    let receives = |line: &Line| matches!(line.place, PlanPlace::Before(_, 180.0) | PlanPlace::Service(_));
+    let here = plan.draft.things.iter().filter(|other| other.room == Some(plan.room));
+    let asked = here.filter(|other| matches!(other.source, ThingOrigin::Stated(_)));
+    let names = asked.map(|other| other.category.replace('_', " "));
+    let mut nouns = names.chain(plan.kind.lines.iter().map(|line| line.noun.to_owned()));
+    it.count >= SEVERAL
+        && it.room == Some(plan.room)
+        && matches!(it.source, ThingOrigin::Stated(_))
+        && ASIDE.contains(&it.category.replace('_', " ").as_str())
+        && plan.kind.home.is_none()
+        && plan.kind.lines.iter().any(receives)
+        && !nouns.any(|noun| has_seats(plan, &noun))
 }
 
 /// Whether a thing is parked along a wall. An exercise bike is not.
@@ -333,18 +380,11 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     // Between two sofas that face each other one looks to the side.
     let between = || near_to(plan, "sofa").map(|at| Pose { yaw: (at.yaw + 90.0) % 360.0, ..at });
     let choice = Choice {
-        noun: &noun,
-        size,
-        windows: &windows,
         looks_at: like.looks_at.or_else(|| watched_from(plan).or_else(between).filter(|_| fire)),
         strictly: like.looks_at.is_some(),
-        staffed: staffed(plan),
         near: stands_near(plan, &it, like),
         pull: PULL[usize::from(at_window(plan, &it.name).is_some())],
-        beds: &[],
-        watched: is_watched_room(plan),
-        dines: plan.dines(),
-        taught: plan.is_taught(),
+        ..Choice::of(plan, &noun, size, &windows)
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
     let turn = [island_turn(plan)];
@@ -430,7 +470,8 @@ fn is_scattered(plan: &Plan, thing: usize, like: &Like, is_gap: bool) -> bool {
         let parts = groups::of(&it.category.replace('_', " "), plan.kind.dress);
         parts.iter().any(|part| stand::group(part.noun) == Group::Seat)
     };
-    it.count > 1 && is_gap && stand::group(&it.category) == Group::Table && (is_served || has_seats())
+    let is_row = stand::group(&it.category) == Group::Table && (is_served || has_seats()) || it.category == BOOTH;
+    it.count > 1 && is_gap && is_row
 }
 
 /// Two seats, sofas, desks or beds that belong together get their places as one. Whether it is such a pair that has a place.
@@ -455,6 +496,25 @@ fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
     let room = plan.room_name();
     if like.aside && it.count == 1 && it.size.is_some_and(|s| s[1] > TALL) {
         plan.say(format!("prefer inCorner({}, {room});", it.name), USUAL);
+    }
+    if it.size.is_some_and(|size| stand::moving(&it.category.replace('_', " "), size) != size) {
+        let one = if it.count > 1 { "a" } else { it.name.as_str() };
+        let clear = format!("clear({one}, behind, {})", metres(stand::BEHIND_ROCKING));
+        let all = if it.count > 1 { format!("forall a in {}: {clear}", it.name) } else { clear };
+        plan.say(format!("assert {all};"), "it rocks");
+    }
+    // Tills and booths stand side by side as they were planned, as those of the inventory do.
+    let is_served = like.line.is_some_and(|line| matches!(line.place, PlanPlace::Service(_)));
+    if it.count > 1 && (is_served || it.category == BOOTH && like.in_run) {
+        let element = |i: usize| format!("{}[{i}]", it.name);
+        let fixed = |i: usize| {
+            let at = plan.place_in_room(&element(i))?;
+            Some(place::absolute(&element(i), &room, [at.x, at.y, at.z], at.yaw))
+        };
+        if let Some(all) = (0..it.count).map(fixed).collect::<Option<Vec<_>>>() {
+            plan.say(format!("assert {};", all.join(" and ")), USUAL);
+        }
+        return;
     }
     let Some(at) = plan.place_in_room(&it.name).filter(|_| it.count == 1) else { return };
     let there = place::absolute(&it.name, &room, [at.x, at.y, at.z], at.yaw);
@@ -493,6 +553,10 @@ fn stands_near(plan: &Plan, it: &DraftThing, like: &Like) -> Option<Pose> {
     at_window(plan, &it.name).or_else(|| match it.category.as_str() {
         order::PLAY_MAT => near_to(plan, "toy box").or_else(|| near_to(plan, "toy shelf")),
         category if is_island(category) => near_to(plan, COUNTER),
+        category if category.replace('_', " ").starts_with(stand::AT_WINDOW) => {
+            let mut windows = plan.draft.openings.iter().filter(|o| o.kind == OpeningKind::Window);
+            windows.find(|o| o.rooms.contains(&plan.room)).and_then(|o| plan.place_in_room(&o.name))
+        }
         _ => near_to(plan, like.by),
     })
 }

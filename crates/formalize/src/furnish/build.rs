@@ -14,12 +14,15 @@ use std::collections::BTreeMap;
 /// How often a group is put together anew with less.
 const ATTEMPTS: usize = 9;
 /// Nothing else stands on these.
-const MATS: [&str; 4] = ["exercise mat", "yoga mat", "gym mat", "play mat"];
+const MATS: [&str; 5] = ["exercise mat", "yoga mat", "gym mat", "play mat", "bath mat"];
 /// What is higher stands before no window (metres).
 const TALL: f64 = 1.1;
 /// Behind a chair this much is free to pull it out and sit down, or at least so much where there is less room.
 pub(super) const PULL_OUT: f64 = 0.6;
 const SHORT_PULL_OUT: f64 = 0.36;
+/// Behind the chairs of a table for so many this much is free, where there is room.
+const MANY: usize = 8;
+const GET_PAST: f64 = 0.8;
 /// How a group is placed, from the best manner to the last: how much is free behind its chairs, and whether ways may be narrower.
 const MANNERS: [(f64, bool); 3] = [(PULL_OUT, false), (SHORT_PULL_OUT, false), (SHORT_PULL_OUT, true)];
 /// Before a seat that belongs to no table this much is free.
@@ -30,7 +33,9 @@ const ASIDE: f64 = 0.4;
 /// What one works at from all sides, and how much is free there.
 const WORKED_AROUND: [(&str, f64); 2] = [("table saw", 0.8), ("work table", 0.6)];
 /// Beside a sofa this much is free of what does not belong to it.
-const BESIDE_SOFA: f64 = 0.16;
+const BESIDE_SOFA: f64 = 0.25;
+/// On both sides of a toilet this much is free.
+const ELBOW: f64 = 0.18;
 /// Beside a fireplace this much is free.
 const HEARTH: f64 = 0.4;
 /// Behind the belt of a treadmill this much is free.
@@ -38,7 +43,8 @@ const FALL: f64 = 0.9;
 /// How much is free on both sides of what one lies on to be treated.
 const BESIDE_TABLE: f64 = 0.6;
 /// Beside what one trains on this much is free.
-const TRAINED: [(&str, f64); 2] = [("weight bench", 0.5), ("treadmill", 0.3)];
+const TRAINED: [(&str, f64); 4] =
+    [("weight bench", 0.5), ("treadmill", 0.3), ("exercise bike", 0.2), ("rowing machine", 0.3)];
 /// Beside a bed for two this much is free.
 const BESIDE_BED: f64 = 0.52;
 
@@ -80,7 +86,7 @@ impl Building {
     /// With its first thing, whose elements that are placed together are there.
     fn new(thing: usize, noun: &str, size: [f64; 3], frames: Vec<Pose>, pull: f64) -> Self {
         let mut out = Self { pull, ..Self::default() };
-        out.shape.is_lounge = is_sofa(noun);
+        out.shape.is_lounge = is_sofa(noun) || noun == super::asked::BOOTH;
         // Who sits alone has room for the feet.
         let sits = stand::group(noun) == crate::brief::Group::Seat && !stand::has_back(noun);
         for frame in &frames {
@@ -124,6 +130,12 @@ impl Building {
         if is_sofa(noun) {
             for side in [-1.0, 1.0] {
                 keep(side * (w + BESIDE_SOFA) / 2.0, 0.0, [BESIDE_SOFA, 1.0, d]);
+            }
+        }
+        if noun.ends_with("toilet") {
+            // Who sits there has elbows.
+            for side in [-1.0, 1.0] {
+                keep(side * (w + ELBOW) / 2.0, 0.0, [ELBOW, 1.0, d]);
             }
         }
         if noun.ends_with("fireplace") {
@@ -181,6 +193,9 @@ impl Building {
         let Some(anchors) = self.frames.get(&of).cloned() else { return };
         // Toys on a mat are in the way, what stands on a table is not.
         let is_mat = self.shape.pieces.iter().any(|piece| piece.thing == of && piece.flat);
+        // Nothing hangs behind a television.
+        let is_seen = noun.ends_with("tv") || noun.ends_with("television");
+        let under = self.shape.pieces.iter().find(|piece| piece.thing == of).map_or(0.0, |piece| piece.size[1]);
         let mut frames = Vec::new();
         for anchor in &anchors {
             for slot in places {
@@ -189,6 +204,7 @@ impl Building {
                     Level::Above(y) => y,
                     Level::Ceiling => ceiling - size[1],
                     Level::Top if is_mat => 0.01,
+                    Level::Top if is_seen => under,
                     // What lies on something is in nobody's way.
                     Level::Top | Level::At(_) => return,
                 };
@@ -205,10 +221,15 @@ impl Building {
                 let feet = Pose { z: (size[2] + FEET) / 2.0, y: 0.05, ..Pose::default() };
                 self.shape.free.push((frame.then(&feet), [size[0], 1.0, FEET]));
             }
-            let seat = at.is_around() || matches!(at, Where::Front(..)) && noun.ends_with("chair");
+            let at_bar = matches!(at, Where::Row(..)) && noun.ends_with("stool");
+            let seat = at.is_around()
+                || at_bar
+                || matches!(at, Where::Front(..)) && (noun.ends_with("chair") || noun.ends_with("stool"));
             if seat {
-                let behind = Pose { z: -(size[2] + self.pull) / 2.0, y: 0.05, ..Pose::default() };
-                self.shape.free.push((frame.then(&behind), [size[0], 1.0, self.pull]));
+                // Behind those who sit at a long table one gets past.
+                let pull = if frames.len() >= MANY && self.pull == PULL_OUT { GET_PAST } else { self.pull };
+                let behind = Pose { z: -(size[2] + pull) / 2.0, y: 0.05, ..Pose::default() };
+                self.shape.free.push((frame.then(&behind), [size[0], 1.0, pull]));
                 self.has_chairs = true;
             }
         }
@@ -220,6 +241,12 @@ impl Building {
     pub fn is_run(&self, thing: usize) -> bool {
         self.shape.pieces.first().is_some_and(|first| first.thing == thing)
             && self.frames.get(&thing).is_some_and(|frames| frames.len() > 1)
+    }
+
+    /// Whether the group begins with a sofa that turns a corner, in which a thing stands.
+    pub fn is_bent(&self, thing: usize) -> bool {
+        let first = self.shape.pieces.first().filter(|first| first.thing != thing && self.shape.is_lounge);
+        first.is_some_and(|first| first.size[2] >= super::slots::BENT)
     }
 
     /// Whether the two elements of a thing look at each other, or at the same table from two sides.

@@ -2,6 +2,7 @@
 //! room for a screen, cupboards side by side in corners, little near the door.
 
 use super::floor::{Block, Floor, Pose, Shape};
+use super::plan::Plan;
 use super::seek::{self, Wall};
 use super::stand;
 
@@ -28,6 +29,10 @@ pub struct Choice<'a> {
     pub dines: bool,
     /// Whether all look to the back of the room, where nobody reads for pleasure.
     pub taught: bool,
+    /// Whether it is a part of the room for itself, away from the middle: where a team meets beside its desks.
+    pub parted: bool,
+    /// The part of a shop beyond its tills, where nothing is for sale.
+    pub exit: Option<Block>,
 }
 
 /// The part of a room for those who work behind a counter.
@@ -66,8 +71,17 @@ const WINDOW_SEAT: &str = "window seat";
 const AWAY_FROM_WINDOW: f64 = 6.0;
 /// A cistern before a window costs so much.
 const BEFORE_WINDOW: f64 = 0.8;
+/// An easy chair at the side of a classroom where the board is costs so much.
+const AT_BOARD: f64 = 1.5;
+/// More room around what stands free is no better (metres).
+const AROUND: f64 = 1.4;
+/// What each metre from a corner costs what is a part of the room for itself.
+const PARTED: f64 = 0.15;
 /// What stands in the middle of a wall.
 const CENTRED: [&str; 3] = ["sideboard", "credenza", "fireplace"];
+/// Beyond the foot of a bed, and beside it, a wardrobe and who opens it take so much (metres).
+const BEYOND_FOOT: f64 = 1.4;
+const FOR_WARDROBE: f64 = 1.9;
 /// Beds that lie along a wall.
 const ALONG: [&str; 5] = ["bunk bed", "single bed", "loft bed", "kids bed", "daybed"];
 /// A stand with a screen, across from a sofa, and what a place for a sofa without one costs.
@@ -76,8 +90,18 @@ const NO_SCREEN: f64 = 1.2;
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
 /// What stands beside the door.
-const LEFT_AT_DOOR: [&str; 7] =
-    ["shopping cart", "bin", "coat rack", "coat stand", "umbrella stand", "shoe rack", "shopping basket"];
+const LEFT_AT_DOOR: [&str; 8] = [
+    "shopping cart",
+    "basket stack",
+    "bin",
+    "coat rack",
+    "coat stand",
+    "umbrella stand",
+    "shoe rack",
+    "shopping basket",
+];
+/// What one takes at the door of a shop.
+const TAKEN_AT_DOOR: [&str; 3] = ["shopping cart", "basket stack", "shopping basket"];
 /// So far beside the door's middle (metres).
 const BESIDE_DOOR: f64 = 1.3;
 
@@ -87,16 +111,41 @@ const BESIDE_DESK: f64 = 0.75;
 const BEHIND_CHAIR: [f64; 2] = [0.35, 0.6];
 const FROM_DOOR: f64 = 3.0;
 
-impl Choice<'_> {
+impl<'a> Choice<'a> {
+    /// Of a thing in a room that is being furnished, near nothing and looking at nothing.
+    pub fn of(plan: &Plan, noun: &'a str, size: [f64; 3], windows: &'a [Wall]) -> Self {
+        Self {
+            noun,
+            size: stand::moving(noun, size),
+            windows,
+            looks_at: None,
+            strictly: false,
+            staffed: super::spots::staffed(plan),
+            near: None,
+            pull: PULL[0],
+            beds: &[],
+            watched: super::inventory::is_watched_room(plan),
+            dines: plan.dines(),
+            taught: plan.is_taught(),
+            parted: plan.is_parted(noun),
+            exit: plan.exit,
+        }
+    }
+
     fn is(&self, nouns: &[&str]) -> bool {
         let ends =
             |noun: &&str| self.noun.strip_suffix(noun).is_some_and(|rest| rest.is_empty() || rest.ends_with(' '));
         nouns.iter().any(ends)
     }
 
-    /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter.
+    /// Whether it is for guests and would stand where only those who work there are: beside or behind the counter; or is for
+    /// sale and would stand beyond the tills.
     pub(super) fn is_misplaced(&self, pose: &Pose) -> bool {
         let own = || Block::of(&Pose { y: 0.0, ..*pose }, self.size);
+        let is_sold = || stand::group(self.noun) != crate::brief::Group::Wall && !self.is(&LEFT_AT_DOOR);
+        if self.exit.is_some_and(|exit| own().meets(&exit)) && is_sold() {
+            return true;
+        }
         self.staffed.is_some_and(|staff| match staff {
             Staff::Beyond(z) => own().high[2] > z + 0.1,
             Staff::Around(block) => own().meets(&block),
@@ -141,6 +190,8 @@ impl Choice<'_> {
         if self.is_row_misplaced(shape, pose) {
             return None;
         }
+        // Nobody reads beside the blackboard.
+        cost += if self.taught && pose.z > 0.0 && stand::is_easy(self.noun) { AT_BOARD } else { 0.0 };
         if matches!(self.staffed, Some(Staff::Beyond(_)))
             && wall == Wall::Back
             && stand::group(self.noun) != crate::brief::Group::Storage
@@ -163,6 +214,10 @@ impl Choice<'_> {
             let to_corner = to(1.0).min(to(-1.0) + 0.3);
             cost += if narrow { to_corner.min(3.0) * 1.5 } else { along.abs() / length * 0.6 };
             cost += if lit { 0.7 } else { 0.0 };
+            // Where no wardrobe has room beyond its foot, one has beside it.
+            let beside = length / 2.0 + along.abs() - self.size[0] / 2.0;
+            let is_shallow = wall.depth(floor.size) < self.size[2] + BEYOND_FOOT;
+            cost += if is_shallow && before.is_empty() && beside < FOR_WARDROBE { 0.5 } else { 0.0 };
         } else if self.is(&["sofa", "couch"]) {
             // Across from it there is room for a screen, and no window behind that.
             let dazzled = self.windows.contains(&wall.across());
@@ -173,7 +228,7 @@ impl Choice<'_> {
                 Wall::Back | Wall::Front => Pose { x: pose.x, ..there },
                 Wall::Left | Wall::Right => Pose { z: pose.z, ..there },
             };
-            let deep = if matches!(wall, Wall::Back | Wall::Front) { floor.size[2] } else { floor.size[0] };
+            let deep = wall.depth(floor.size);
             if self.watched {
                 cost += if self.looks_at.is_none() && !floor.has_room(&there, SCREEN) { NO_SCREEN } else { 0.0 };
                 cost += (3.6 - deep).max(0.0) + (deep - 4.6).max(0.0) * 0.6;
@@ -203,6 +258,7 @@ impl Choice<'_> {
             cost += (apart - aim).abs().min(2.0) * 0.25;
         }
         let by_door = if self.is(&LEFT_AT_DOOR) { 0.2 } else { 0.7 };
+        cost += if self.is(&TAKEN_AT_DOOR) { floor.away_from_door(pose) * 0.3 } else { 0.0 };
         Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * by_door)
     }
 
@@ -368,10 +424,10 @@ impl Choice<'_> {
                 Wall::Left => pose.x < 0.0,
                 Wall::Right => pose.x > 0.0,
             });
-            let front = front + if self.taught && pose.z > 0.0 && stand::is_easy(self.noun) { 1.5 } else { 0.0 };
+            let front = front + if self.taught && pose.z > 0.0 && stand::is_easy(self.noun) { AT_BOARD } else { 0.0 };
             let near = before.iter().filter(|other| (other.x - pose.x).hypot(other.z - pose.z) < 2.0).count();
             // Behind a door nothing is seen but what one leaves there.
-            let door = match self.noun.starts_with("shopping") {
+            let door = match self.is(&TAKEN_AT_DOOR) {
                 true => floor.away_from_door(pose) * 0.1 + if pose.z > 0.0 { 1.0 } else { 0.0 },
                 false => (2.0 - floor.away_from_door(pose)).max(0.0) * if at_door { 0.2 } else { 0.9 },
             };
@@ -387,13 +443,17 @@ impl Choice<'_> {
             if self.is_misplaced(pose) {
                 return None;
             }
-            let around = floor.room_around(shape, pose).min(1.0);
-            let middle = pose.x.abs() + pose.z.abs();
+            let around = floor.room_around(shape, pose).min(AROUND);
+            let [w, _, d] = floor.size;
+            let off = pose.x.abs() + pose.z.abs();
+            let off = if self.parted { PARTED * ((w + d) / 2.0 - off) } else { 0.06 * off };
             // A mat is lain on: not where one stands before something else.
             let trodden = self.size[1] < 0.05 && floor.keeps_free(&Block::of(pose, self.size));
             let lined = before.iter().any(|o| (o.x - pose.x).abs() < 0.02 || (o.z - pose.z).abs() < 0.02);
-            let cost = -around + 0.06 * middle + if before.is_empty() || lined { 0.0 } else { 0.5 };
-            Some(cost + if trodden { 1.5 } else { 0.0 } + self.to_near(pose) * 0.8)
+            let cost = -around + off + if before.is_empty() || lined { 0.0 } else { 0.5 };
+            // Behind those who look to the board.
+            let behind = if self.taught && self.size[1] < 0.05 { pose.z + d / 2.0 } else { 0.0 };
+            Some(cost + behind + if trodden { 1.5 } else { 0.0 } + self.to_near(pose) * 0.8)
         };
         seek::best(floor, shape, places, &cost)
     }
@@ -412,7 +472,7 @@ impl Choice<'_> {
 /// Whether something that goes with a thing stands before its front, so that its front is not free.
 pub fn front_taken(noun: &str) -> bool {
     use super::groups::{Where, of};
-    let stands = |noun: &str| super::plan::Plan::size(noun)[1] > 0.05;
+    let stands = |noun: &str| Plan::size(noun)[1] > 0.05;
     of(noun, "")
         .iter()
         .any(|part| matches!(part.at, Where::Front(..) | Where::Row(..) | Where::Around(..)) && stands(part.noun))

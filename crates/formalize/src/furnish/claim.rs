@@ -89,7 +89,8 @@ impl Plan<'_> {
         let before = GroupPart { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
         let part = if in_corner && self.draft.statements.iter().any(faces) { &before } else { part };
         let foot = stand::foot(part.noun, own);
-        let mut places: Vec<Slot> = wheres(part, each, wall)
+        let is_bent = self.building.as_ref().is_some_and(|group| group.is_bent(thing));
+        let mut places: Vec<Slot> = wheres(part, each, (wall, is_bent))
             .iter()
             .flat_map(|at| slots(at, &Sizes { of, own, round }, &[]))
             .filter(|slot| own[1] < FLAT || !taken.iter().any(|other| Taken::by(slot, foot).meets(other)))
@@ -294,8 +295,10 @@ fn calls(text: &str) -> Vec<&str> {
 }
 
 /// Where elements of a part may be that are asked for, the best place first.
-fn wheres(part: &GroupPart, each: usize, wall: AtWall) -> Vec<Where> {
+fn wheres(part: &GroupPart, each: usize, (wall, is_bent): (AtWall, bool)) -> Vec<Where> {
     match part.at {
+        // At the other side of a low table is the corner of its sofa.
+        Where::Side(gap, ..) if is_bent => vec![part.at.clone(), Where::Back(gap, 0.0)],
         Where::Row(_, gap) => vec![Where::Row(each, gap)],
         Where::RowBehind(_, gap) => vec![Where::RowBehind(each, gap)],
         Where::Around(_, gap) => vec![Where::Around(each, gap)],

@@ -12,6 +12,8 @@ const OWN: f64 = 2.0;
 /// Beds with nothing beside them have so much between them, and at least so much; what is wider has something beside it.
 const BETWEEN: [f64; 2] = [0.75, 0.45];
 const NARROW: f64 = 1.25;
+/// One slides into a booth from between two.
+const BOOTHS: [f64; 2] = [0.9, 0.45];
 /// What is less deep is no bed.
 const BED: f64 = 1.2;
 /// The fewest seats in a row.
@@ -56,7 +58,7 @@ pub fn places(
     for wall in walls {
         let rest = n - found.len();
         let most = |k: &usize| row(&left, shape, *k, (depth, is_close), wall, may_stand);
-        let Some(more) = (FEWEST..=rest).rev().find_map(|k| most(&k)) else { continue };
+        let Some(more) = (FEWEST.min(rest)..=rest).rev().find_map(|k| most(&k)) else { continue };
         more.iter().for_each(|at| left.take(shape, at));
         found.extend(more);
         if found.len() == n {
@@ -83,6 +85,7 @@ fn row(
     }
     let [most, least] = match each {
         _ if is_close => [SHARED, 0.0],
+        _ if shape.is_lounge => BOOTHS,
         _ if each > OWN || depth < BED => [MORE, 0.0],
         _ if each < NARROW => BETWEEN,
         _ => [SHARED, 0.0],

@@ -292,6 +292,11 @@ impl Floor {
         }
     }
 
+    /// Where one comes in.
+    pub fn first_door(&self) -> Option<[f64; 2]> {
+        self.doors.first().copied()
+    }
+
     /// How far a place is from the nearest door.
     pub fn away_from_door(&self, pose: &Pose) -> f64 {
         self.doors.iter().map(|[x, z]| (pose.x - x).hypot(pose.z - z)).fold(f64::INFINITY, f64::min)

@@ -6,7 +6,7 @@ use super::kinds::{Cover, FurnishingKind};
 use super::openings;
 use super::plan::{Plan, metres};
 use super::seek::Wall;
-use crate::draft::{Draft, Look, Opening, OpeningKind, ThingOrigin};
+use crate::draft::{Draft, DraftThing, Look, Opening, OpeningKind, ThingOrigin};
 use crate::names::{GivenNames, mentions};
 
 /// What a wide door for cars and goods is called.
@@ -77,11 +77,13 @@ fn add(draft: &mut Draft, at: usize, name: &str, category: &str, size: [f64; 3],
 /// A pair of curtains, or a blind, at each window that was added.
 pub fn curtains(plan: &mut Plan) {
     let Some(cover) = plan.kind.curtains.filter(|_| !plan.is_closed("curtain")) else { return };
-    // Where something is said to stand at a window, nothing hangs.
+    // Where something is said to stand at a window, or is a seat there, nothing hangs.
+    let seat = |thing: &DraftThing| thing.room == Some(plan.room) && thing.category.ends_with("window_seat");
+    let has_seat = plan.draft.things.iter().any(seat);
     let is_used = |window: &str| {
         let at = format!(", {window}");
         let says = |text: &str| text.starts_with("near(") && text.contains(&at) && mentions(text, window);
-        plan.draft.statements.iter().any(|s| says(&s.text))
+        has_seat || plan.draft.statements.iter().any(|s| says(&s.text))
     };
     let is_here = |o: &&Opening| o.kind == OpeningKind::Window && o.rooms.contains(&plan.room) && !is_used(&o.name);
     let windows: Vec<Opening> = plan.draft.openings.iter().filter(is_here).cloned().collect();

@@ -8,7 +8,7 @@ use super::floor::{Floor, Pose, Shape};
 use super::inventory::{APART, EYES, HUNG_SCREEN};
 use super::kinds::{Line, PlanPlace};
 use super::plan::{AtWall, Plan};
-use super::spots::{around_hung, near, nominal, watched_from};
+use super::spots::{around_hung, near, near_to, nominal, watched_from};
 use super::{place, stand};
 use crate::brief::Group;
 use crate::draft::{DraftThing, ThingOrigin};
@@ -81,6 +81,34 @@ fn lamps(plan: &mut Plan, it: &DraftThing, y: f64) {
     plan.say(text, if it.count > 1 { "lamps hang in a line" } else { "it hangs above the middle of the room" });
 }
 
+/// From a projector to its screen, as far as there is room (metres).
+const THROW: f64 = 2.8;
+
+/// Projectors that are asked for hang before the screen of the room, or above its middle.
+pub fn projectors(plan: &mut Plan) {
+    for at in 0..plan.draft.things.len() {
+        let it = plan.draft.things[at].clone();
+        let is_asked = it.room == Some(plan.room) && matches!(it.source, ThingOrigin::Stated(_)) && it.count == 1;
+        if !is_asked || !is_projector(&it.category) || !waits(plan, at) {
+            continue;
+        }
+        let (Some(size), [_, height, depth]) = (it.size, plan.draft.rooms[plan.room].size) else { continue };
+        let Some(screen) = near_to(plan, "projection screen") else {
+            lamps(plan, &it, height - size[1]);
+            continue;
+        };
+        let before = screen.then(&Pose { z: THROW.min(0.6 * depth), ..Pose::default() });
+        let pose = Pose { y: height - size[1], yaw: (screen.yaw + 180.0) % 360.0, ..before };
+        plan.note_place(&it.name, &pose);
+        let there = place::absolute(&it.name, &plan.room_name(), [pose.x, pose.y, pose.z], pose.yaw);
+        plan.say(format!("prefer {there};"), "it shines on its screen");
+    }
+}
+
+fn is_projector(category: &str) -> bool {
+    category.ends_with("projector")
+}
+
 /// Hangs it up. Where there is no place, its place is left to the search.
 pub fn up(plan: &mut Plan, at: usize) {
     if plan.claimed.contains(&at) {
@@ -95,6 +123,9 @@ pub fn up(plan: &mut Plan, at: usize) {
         plan.draft.things[at].size = Some(size);
     }
     let height = plan.draft.rooms[plan.room].size[1];
+    if is_projector(&noun) && it.count == 1 {
+        return;
+    }
     if stand::group(&noun) == Group::Ceiling {
         return lamps(plan, &it, height - size[1]);
     }
@@ -108,12 +139,14 @@ pub fn up(plan: &mut Plan, at: usize) {
         looks_at: if is_screen { watched_from(plan) } else { None },
         strictly: false,
         staffed: None,
-        near: None,
+        near: line.and_then(|line| near_to(plan, line.by)),
         pull: PULL[0],
         beds: &[],
         watched: false,
         dines: false,
         taught: false,
+        parted: false,
+        exit: None,
     };
     let own = line.filter(|line| it.count == 1 && matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)));
     let own = own.map(|line| (line, nominal(plan, line, size, y)));

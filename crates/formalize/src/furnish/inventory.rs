@@ -1,18 +1,20 @@
 //! The lines of the inventory of a kind of room: how many of each, how large, and the best place that is left.
 
+use super::asked::{BOOTH, is_for_waiting};
 use super::build::Root;
-use super::choose::{Choice, PULL};
+use super::choose::Choice;
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, PlanPlace};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, is_desk, rows};
 use super::spots::{
-    beds, beside_pair, ends, free, in_row, keep_exit, kept, lanes, near, near_to, nominal, staffed, watched_from,
+    beds, beside_pair, ends, free, in_row, keep_exit, kept, lanes, near, near_to, nominal, watched_from,
 };
 use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
 use crate::brief::Group;
+use crate::complete::defaults::AT_BOOTH;
 use crate::draft::{DraftThing, ThingOrigin};
 use std::cell::RefCell;
 
@@ -82,7 +84,9 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     let seats = has_seats(plan, line.noun) || matches!(line.place, PlanPlace::Rows(_)) && is_desk(line.noun);
     let seated = seats && several_tables(plan);
     let is_small = plan.counted < line.least && !shows_on(plan, line);
-    if is_small || closed || seated || plan.is_furnished() || came_along(plan, line) {
+    // Who waits on chairs that are asked for needs no sofa.
+    let waits = line.noun.ends_with("sofa") && (0..plan.draft.things.len()).any(|at| is_for_waiting(plan, at));
+    if is_small || closed || seated || waits || plan.is_furnished() || came_along(plan, line) {
         return;
     }
     // No one screen is seen from beds at opposite walls.
@@ -91,6 +95,8 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         return;
     }
     let people = plan.people.map_or(usual_people(plan), |n| n as f64);
+    // Those who sit in booths do not sit at tables.
+    let people = if has_seats(plan, line.noun) { (people - in_booths(plan) as f64).max(0.0) } else { people };
     let n = match line.count {
         Count::Fixed(n) if line.noun == "bookshelf" && has_books(plan) => n.max(BOOKCASES),
         Count::Fixed(n) => n,
@@ -111,6 +117,12 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         }
         _ => single(plan, line, n, &why),
     }
+}
+
+/// How many people sit in the booths that are asked for.
+fn in_booths(plan: &Plan) -> usize {
+    let booths = plan.draft.things.iter().filter(|t| t.room == Some(plan.room) && t.category == BOOTH);
+    booths.map(|t| t.count * AT_BOOTH).sum()
 }
 
 /// Whether a projector that is asked for needs this screen.
@@ -285,18 +297,11 @@ pub(super) fn single_of(plan: &mut Plan, line: &Line, n: usize, why: &str, size:
     let windows = window_walls(plan);
     let beds = if line.noun.ends_with("tv") { beds(plan) } else { Vec::new() };
     let choice = Choice {
-        noun: line.noun,
-        size,
-        windows: &windows,
         looks_at: watched.or(aside),
         strictly: opposite_pose.is_some() || aside.is_some(),
-        staffed: staffed(plan),
         near: near_to(plan, line.by),
-        pull: PULL[0],
         beds: &beds,
-        watched: is_watched_room(plan),
-        dines: plan.dines(),
-        taught: plan.is_taught(),
+        ..Choice::of(plan, line.noun, size, &windows)
     };
     // Either side of a pair that faces each other will do.
     let behind = Choice { looks_at: aside.map(|at| Pose { yaw: (at.yaw + 180.0) % 360.0, ..at }), ..choice };

@@ -182,6 +182,14 @@ pub fn seats_all(kind: &FurnishingKind, table: &str) -> bool {
     places.all(|line| super::stand::counts_as(line.noun, table))
 }
 
+/// Whether people sit at several tables in such a room.
+pub fn has_tables(kind: &FurnishingKind) -> bool {
+    let sits = |line: &Line| {
+        matches!(line.count, Count::People(_)) && super::stand::group(line.noun) == crate::brief::Group::Table
+    };
+    kind.lines.iter().any(sits)
+}
+
 /// A word in the singular.
 fn one(word: &str) -> String {
     let word = word.trim_end_matches("'s").trim_end_matches('\'');

@@ -42,6 +42,7 @@ mod twin;
 mod whom;
 
 use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Rel, Thing};
+use crate::complete::defaults::AT_BOOTH;
 use crate::draft::{Draft, DraftThing, ThingOrigin};
 pub use area::overfull;
 pub use daylight::sill;
@@ -64,15 +65,7 @@ pub fn measure(brief: &mut Brief) {
     for at in 0..brief.rooms.len() {
         let Some(kind) = kinds::of(&brief.rooms[at].name) else { continue };
         let [w, h, d] = kind.size;
-        let mut area = w * d;
-        if let Some(people) = brief.rooms[at].people {
-            area = (area + (people as f64 - kind.people) * kind.each).max(0.5 * area);
-        }
-        area *= match scale(brief, at) {
-            Scale::Small => 0.58,
-            Scale::Usual => 1.0,
-            Scale::Large => 1.4,
-        };
+        let area = usual_area(brief, at, kind);
         if let Some(sides) = kind.bay.map(|bay| ward(bay, beds(brief, at).unwrap_or(kind.people as usize))) {
             brief.rooms[at].usual = Some([sides[0], h, sides[1]]);
             continue;
@@ -84,6 +77,19 @@ pub fn measure(brief: &mut Brief) {
         let is_deep = brief.rooms.len() == 1 && watched && d * by > deep;
         brief.rooms[at].usual = Some(if is_deep { [area / deep, h, deep] } else { [w * by, h, d * by] });
     }
+}
+
+/// How large a room is (square metres) of which nobody says it, for as many people as are said, and as small or large as
+/// is said.
+fn usual_area(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> f64 {
+    let usual = kind.size[0] * kind.size[2];
+    let more = |people: usize| (usual + (people as f64 - kind.people) * kind.each).max(0.5 * usual);
+    let scale = match scale(brief, at) {
+        Scale::Small => 0.58,
+        Scale::Usual => 1.0,
+        Scale::Large => 1.4,
+    };
+    scale * brief.rooms[at].people.map_or(usual, more)
 }
 
 /// An L- or U-shaped kitchen is a kitchen whose worktops turn a corner.
@@ -134,7 +140,9 @@ pub fn refine(brief: &mut Brief) {
         if let Some(n) = n {
             brief.things[at].number = Number::Exactly(n);
             // "Tables for twenty-four" are for so many together.
-            brief.things[at].places = brief.things[at].places.map(|all| if all > n { all.div_ceil(n) } else { all });
+            let booths = in_booths(brief, brief.things[at].room);
+            let each = |all: usize| if all > n { all.saturating_sub(booths).div_ceil(n).max(1) } else { all };
+            brief.things[at].places = brief.things[at].places.map(each);
         }
     }
     for at in 0..brief.things.len() {
@@ -157,12 +165,14 @@ pub fn refine(brief: &mut Brief) {
             None => known(&name).then_some((at, name)),
         };
         let said = said.enumerate().filter(|_| thing.words.len() == 1).find_map(named);
+        // "Glass counters" in a jewellery shop.
+        let made_of = thing.look.material.as_ref().and_then(|material| meant(&format!("{material} {plain}")));
         let thing = match said {
             Some((feature, name)) => {
                 brief.things[at].look.features.remove(feature);
                 Some(name)
             }
-            None => meant(&plain),
+            None => made_of.or_else(|| meant(&plain)),
         }
         .map(|name| (at, name));
         if let Some((at, name)) = thing {
@@ -253,6 +263,9 @@ fn shelves_in_rows(brief: &Brief, at: usize) -> Option<usize> {
     let said = brief.request.get(..thing.source.at().start)?.trim_end().to_lowercase();
     (thing.group == Group::Storage && said.ends_with("rows of")).then_some(ROWS)
 }
+
+/// So many can be in rows of two, three or six.
+const FULL_ROWS: usize = 6;
 
 /// "Many" are so many at least.
 const MANY: usize = 5;
@@ -378,7 +391,10 @@ fn at_tables(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<u
     };
     let mut others = (0..brief.things.len()).filter(|i| *i != at && brief.things[*i].room == thing.room);
     let asked = others.find_map(|table| {
-        let (noun, n) = (meant(brief.things[table].name()), brief.count(table));
+        let (other, n) = (&brief.things[table], brief.count(table));
+        // "High tables" are a kind of their own.
+        let looks = other.look.features.iter().map(|feature| format!("{feature} {}", other.name()));
+        let noun = looks.chain([meant(other.name())]).find(|noun| each(noun).is_some() || all(noun).is_some())?;
         if n > 1 { Some(each(&noun)? * n) } else { all(&noun).or_else(|| Some(each(&noun)?.max(SEVERAL))) }
     });
     let people = brief.rooms.get(thing.room)?.people.map_or(kind.people, |people| people as f64);
@@ -399,6 +415,12 @@ fn is_many(brief: &Brief, at: usize) -> bool {
     brief.things[at].number == Number::Several && matches!(first, "many" | "numerous" | "countless")
 }
 
+/// How many people sit in the booths of a room that are asked for.
+fn in_booths(brief: &Brief, room: usize) -> usize {
+    let here = |at: &usize| brief.things[*at].room == room && brief.things[*at].name() == asked::BOOTH;
+    (0..brief.things.len()).filter(here).map(|at| brief.count(at) * AT_BOOTH).sum()
+}
+
 /// How many of a thing a room has by the line of its kind that has such things.
 fn usual_number(
     brief: &Brief,
@@ -416,7 +438,9 @@ fn usual_number(
         kinds::Count::People(each) if plural && matches!(thing.group, Group::Table | Group::Storage) => {
             let people = brief.rooms.get(thing.room)?.people;
             let people = people.or_else(|| sleepers(brief, thing.room, kind)).or_else(|| sitters(brief, thing.room));
-            let people = people.map_or(kind.people, |people| people as f64);
+            // Those who sit in booths do not sit at tables.
+            let booths = in_booths(brief, thing.room);
+            let people = people.map_or(kind.people, |people| people.saturating_sub(booths) as f64);
             Some((people / each).ceil().max(2.0) as usize)
         }
         kinds::Count::Area(each)
@@ -427,7 +451,11 @@ fn usual_number(
                         kinds::PlanPlace::Run | kinds::PlanPlace::Wall | kinds::PlanPlace::Hung
                     ) =>
         {
-            Some((kind.size[0] * kind.size[2] / each).round().max(2.0) as usize)
+            brief.rooms.get(thing.room)?;
+            let n = (usual_area(brief, thing.room, kind) / each).round().max(2.0) as usize;
+            // Shelves in rows that are full, however many a row has.
+            let in_rows = rows && thing.group == Group::Storage;
+            Some(if in_rows { n.next_multiple_of(FULL_ROWS) } else { n })
         }
         // "A church with pews": as many as its people need.
         kinds::Count::People(each) if rows => {

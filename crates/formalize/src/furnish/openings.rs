@@ -2,9 +2,9 @@
 
 use super::floor::{Floor, Pose};
 use super::gates::GATE;
-use super::kinds;
 use super::seek::Wall;
-use crate::draft::{Draft, Opening, OpeningKind};
+use super::{kinds, place};
+use crate::draft::{Draft, Opening, OpeningKind, Statement, ThingOrigin};
 
 /// So much wall remains beside an opening (metres).
 const JAMB: f64 = 0.12;
@@ -125,6 +125,12 @@ pub fn doors(draft: &mut Draft, room: usize) {
             }
         }
         if let Some((_, pose)) = best {
+            if door.category.is_some() && beyond.is_none() && matches!(door.source, ThingOrigin::Inferred(_)) {
+                let there = place::absolute(&door.name, &draft.rooms[room].name, [pose.x, pose.y, pose.z], pose.yaw);
+                let text = format!("prefer {there};");
+                let why = ThingOrigin::Inferred("what it leads to is on this side".into());
+                draft.statements.push(Statement::new(&text, why));
+            }
             let pose = in_scene(draft, room, &pose);
             draft.places.push((door.name.clone(), [pose.x, pose.y, pose.z, pose.yaw]));
         }
@@ -169,7 +175,7 @@ pub fn windows_in(draft: &Draft, room: usize, wall: Wall, n: usize, size: [f64; 
 }
 
 /// What a car and the ways round it need before a gate (metres).
-const CAR: f64 = 5.4;
+const CAR: f64 = 5.9;
 
 /// The floor of a room with the doors and windows that have a place.
 pub fn floor(draft: &Draft, room: usize) -> Floor {

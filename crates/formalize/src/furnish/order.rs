@@ -8,7 +8,7 @@ use super::plan::Plan;
 use super::room::{MATTER, tables};
 use super::{hang, stand, tops};
 use crate::brief::Group;
-use crate::draft::DraftThing;
+use crate::draft::{DraftThing, ThingOrigin};
 
 /// What children play on.
 pub(super) const PLAY_MAT: &str = "play_mat";
@@ -49,9 +49,16 @@ impl Order {
         let is_fire = |at: &usize| plan.draft.things[*at].category.ends_with("fireplace");
         let (mut fires, asked): Both = asked.into_iter().partition(is_fire);
         let (mut later, mut first): Both = asked.into_iter().partition(|at| is_later(plan, *at));
-        // A wall of books takes the longest wall; a mat to play on lies near the toys.
+        // A wall of books takes the longest wall; a mat to play on lies near the toys; a team that works around a sofa moves
+        // aside for it.
         let plays = |at: &usize| plan.draft.things[*at].category == PLAY_MAT;
-        first.sort_by_key(|at| (plays(at), !is_wall_of(plan, *at)));
+        let is_lounge = |at: &usize| plan.is_team() && plan.draft.things[*at].category.ends_with("sofa");
+        // A mirror hangs or stands near the fitting room that is asked for after it.
+        let is_beside = |at: &usize| waits_for_neighbour(plan, *at);
+        // What belongs at a window has no other place.
+        let is_lit = |at: &usize| plan.draft.things[*at].category.replace('_', " ").starts_with(stand::AT_WINDOW);
+        let key = |at: &usize| (plays(at), is_beside(at), !is_lit(at), !is_wall_of(plan, *at), !is_lounge(at));
+        first.sort_by_key(key);
         let many = |at: &usize| {
             let thing = &plan.draft.things[*at];
             thing.count > 2 && tables(&thing.category) || stand::played_at(&thing.category).is_some()
@@ -92,6 +99,19 @@ impl Order {
         });
         early.map(|(_, line)| line).collect()
     }
+}
+
+/// Whether such rooms have a thing near another one that is asked for, too.
+fn waits_for_neighbour(plan: &Plan, at: usize) -> bool {
+    let thing = &plan.draft.things[at];
+    let noun = thing.category.replace('_', " ");
+    let by = plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun)).map_or("", |line| line.by);
+    let is_there = |other: &DraftThing| {
+        other.room == Some(plan.room)
+            && matches!(other.source, ThingOrigin::Stated(_))
+            && other.category.replace('_', " ").ends_with(by)
+    };
+    !by.is_empty() && plan.draft.things.iter().any(is_there)
 }
 
 /// Whether these are so many shelves side by side that they make a wall.

@@ -1,7 +1,7 @@
 //! A room that is being furnished: what it has, how much of its floor and walls is taken, and how things are added.
 
 use super::build::{Building, PULL_OUT};
-use super::floor::Floor;
+use super::floor::{Block, Floor};
 use super::groups::{self, Along, GroupPart, Where};
 use super::kinds::{FurnishingKind, PlanPlace, seats_all};
 use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, in_row, slots};
@@ -73,6 +73,8 @@ pub struct Plan<'a> {
     pub small: Vec<usize>,
     /// What stands on the tops of things.
     pub loads: Vec<(usize, Taken)>,
+    /// The part of a shop beyond its tills.
+    pub exit: Option<Block>,
     /// The group that is being put together.
     pub building: Option<Building>,
 }
@@ -134,6 +136,7 @@ impl<'a> Plan<'a> {
             only: false,
             small: Vec::new(),
             loads: Vec::new(),
+            exit: None,
             building: None,
         }
     }
@@ -142,18 +145,32 @@ impl<'a> Plan<'a> {
     /// one cooks.
     pub fn dines(&self) -> bool {
         let eats = |room: &crate::draft::DraftRoom| super::kinds::of(&room.kind).is_some_and(|kind| kind.is_eaten_in());
-        let cooks = |thing: &DraftThing| {
+        let is_asked = |thing: &DraftThing, noun: &str| {
             thing.room == Some(self.room)
                 && matches!(thing.source, ThingOrigin::Stated(_))
-                && thing.category.replace('_', " ").ends_with(COUNTER)
+                && thing.category.replace('_', " ").ends_with(noun)
         };
-        let is_home = self.draft.rooms.len() > 1 || self.draft.things.iter().any(cooks);
+        let cooks = |thing: &DraftThing| is_asked(thing, COUNTER);
+        let eats_at = |thing: &DraftThing| is_asked(thing, "dining table");
+        let is_home =
+            self.draft.rooms.len() > 1 || self.draft.things.iter().any(|thing| cooks(thing) || eats_at(thing));
         !self.kind.eat.is_empty() && is_home && !self.draft.rooms.iter().any(eats)
     }
 
     /// Whether rows of people look to the back of the room.
     pub fn is_taught(&self) -> bool {
         self.kind.is_taught()
+    }
+
+    /// Whether the desks of a team fill such a room.
+    pub fn is_team(&self) -> bool {
+        let first = self.kind.lines.first();
+        first.is_some_and(|line| matches!(line.place, PlanPlace::Rows(false)) && line.noun.ends_with("desk"))
+    }
+
+    /// Whether a table of this name stands aside from the desks of a team.
+    pub fn is_parted(&self, noun: &str) -> bool {
+        self.is_team() && stand::group(noun) == Group::Table && noun.ends_with("table")
     }
 
     /// Square metres.
@@ -370,8 +387,9 @@ impl<'a> Plan<'a> {
         let for_all = stand::is_easy(noun) || matches!(noun, "bin" | "laundry basket" | "dryer");
         let shared = for_all && anchors > 1;
         // Goods are shown on tables, however many lie on the shelves.
-        let is_shown = category.ends_with("display_table");
-        if left_out || self.is_closed(noun) || self.is_full() && !seat && !is_shown || shared {
+        let is_shown = category.ends_with("display_table") || noun == "till";
+        let closed = self.is_closed(noun) && !(seat && self.is_for_staff(part));
+        if left_out || closed || self.is_full() && !seat && !is_shown || shared {
             return;
         }
         let (mut own, at) = self.fitted(thing, part, of);
@@ -432,6 +450,12 @@ impl<'a> Plan<'a> {
         self.group(thing, new, &at, &why);
         let name = if in_corner(&at, &Sizes { of, own, round }) { CORNER_TABLE } else { noun };
         self.surround_as(name, new, if flush { wall } else { AtWall::No }, deep + 1);
+    }
+
+    /// Whether it is the seat of who receives those that wait on chairs that are asked for.
+    fn is_for_staff(&self, part: &GroupPart) -> bool {
+        let waits = |at: usize| super::asked::is_for_waiting(self, at);
+        matches!(part.at, Where::Back(..)) && (0..self.draft.things.len()).any(waits)
     }
 
     /// How large a part is beside a thing of a size, and where it stands: seats as many as the people need who sit there.

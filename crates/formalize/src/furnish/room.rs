@@ -163,7 +163,7 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
             order.hung.iter().for_each(|thing| hang::up(plan, *thing));
         }
         let matters = i < MATTER && is_essential(plan, line);
-        if !early.contains(&line) {
+        if !early.contains(&line) && line.place != PlanPlace::Ceiling {
             matter(plan, line, matters);
         }
     }
@@ -173,6 +173,10 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
             stand_up(plan, &[*thing]);
         }
     }
+    // Lights have their places beside those that hang over tables.
+    let lights = plan.kind.lines.iter().filter(|line| line.place == PlanPlace::Ceiling);
+    lights.for_each(|line| matter(plan, line, false));
+    hang::projectors(plan);
     place_over(plan);
     tops::settle(plan);
     plan.lacking += seats_apart(plan, &order.waiting);

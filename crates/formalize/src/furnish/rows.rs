@@ -5,7 +5,7 @@ use super::floor::{Floor, Footprint, Pose, Shape};
 use super::inventory::TEAM;
 use super::kinds::{Line, PlanPlace};
 use super::plan::{AtWall, Plan, metres};
-use super::spots::gate;
+use super::spots::{for_counters, for_tills, gate};
 use super::{groups, place, stand};
 
 /// A dining room of more has lights beside those over its table (square metres).
@@ -102,7 +102,11 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     let (cell_w, cell_d) = (left + right, back + front);
     let flat = size[1] < 0.05;
     let facing = !toward && n >= TEAM && is_desk(noun);
-    let places = if facing { pairs([w, d], size, front, n) } else { None };
+    // Tables at which a team meets have a side of the room for themselves.
+    let meets =
+        |t: &crate::draft::DraftThing| t.room == Some(plan.room) && plan.is_parted(&t.category.replace('_', " "));
+    let aside = plan.draft.things.iter().filter(|t| meets(t)).map(|t| t.count).sum::<usize>() > 1;
+    let places = if facing { pairs([w, d], size, front, (n, aside)) } else { None };
     let matters = plan.matters || asked.is_some();
     // A team that finds no room for its groups of desks wants a larger one.
     plan.lacking += usize::from(matters && facing && places.is_none() && asked.is_none());
@@ -220,17 +224,22 @@ fn turned(
     let [left, right, back, front] = reach;
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     // Aisles lead to the gate, before which is room to turn, or to where one pays.
-    let pays = plan.kind.lines.iter().any(|line| matches!(line.place, PlanPlace::Service(_)));
+    let tills = for_tills(plan).filter(|_| noun.ends_with("gondola"));
     let before = match () {
         () if toward.0 => None,
         () if noun.ends_with("rack") => gate(plan).map(|_| BEFORE_GATE),
-        () if noun.ends_with("gondola") && pays => Some(BEFORE_TILLS),
-        () => None,
+        () => tills,
     };
     if let Some(before) = before {
-        let beside = if pays { BESIDE_WALLS } else { 0.0 };
-        let places = grid(plan, [d - before, w - beside], noun, size, reach, n, toward)?;
-        let turned = Pose { yaw: 90.0, z: before / 2.0, ..Pose::default() };
+        let beside = if tills.is_some() { BESIDE_WALLS } else { 0.0 };
+        // Before tills and counters the aisle is counted already that is before a wall.
+        let counters = for_counters(plan);
+        let front = before - if tills.is_some() { BEFORE_RACKS } else { 0.0 };
+        let behind = if tills.is_some() && counters > 0.0 { counters - BEFORE_RACKS } else { 0.0 };
+        let places = grid(plan, [d - front - behind, w - beside], noun, size, reach, n, toward);
+        // Rows of shelves before tills do not stand across.
+        let places = if tills.is_some() { places.unwrap_or_default() } else { places? };
+        let turned = Pose { yaw: 90.0, z: (front - behind) / 2.0, ..Pose::default() };
         return Some(places.iter().map(|at| turned.then(at)).collect());
     }
     let even = (left - right).abs() < 0.02 && (back - front).abs() < 0.02 && front > left + 0.1;
@@ -252,14 +261,15 @@ fn turned(
 /// So many tables in a single line look like a classroom.
 const SINGLE: usize = 5;
 /// Between racks and before the first of them (metres): where a lift truck passes, and where people walk.
-const AISLES: [f64; 4] = [3.0, 2.4, 1.85, 1.2];
+const AISLES: [f64; 4] = [3.0, 2.7, 1.85, 1.2];
 const WIDEST: f64 = 3.2;
+/// Between the ends of racks and the walls (metres).
+const BEFORE_RACKS: f64 = 1.0;
 /// So many pallet racks stand back to back, with so much between the two (metres).
 const BACK_TO_BACK: usize = 4;
 const BEHIND_RACKS: f64 = 0.1;
-/// Behind a gate so much is free of racks, and so much of shelves where one pays (metres).
+/// Behind a gate so much is free of racks (metres).
 const BEFORE_GATE: f64 = 2.2;
-const BEFORE_TILLS: f64 = 3.2;
 /// Shelves of a shop leave so much of its width to what stands along the walls (metres).
 const BESIDE_WALLS: f64 = 1.2;
 /// Between the backs of chairs of one table and those of the next.
@@ -376,9 +386,11 @@ fn is_exhibited(noun: &str) -> bool {
     EXHIBITED.iter().any(|end| noun.ends_with(end))
 }
 
-/// The ways between racks with such an aisle, and the narrower ones.
+/// The ways between racks with such an aisle, and the narrower ones; a lift truck needs its width.
 fn racks(aisle: f64) -> Vec<(f64, f64)> {
-    AISLES.iter().filter(|narrower| **narrower <= aisle).map(|aisle| (0.02, *aisle)).collect()
+    let [wide, narrow, ..] = AISLES;
+    let least = if aisle >= wide { narrow } else { 0.0 };
+    AISLES.iter().filter(|narrower| (least..=aisle).contains(*narrower)).map(|aisle| (0.02, *aisle)).collect()
 }
 
 /// The aisle before racks of a width.
@@ -412,7 +424,7 @@ fn cells(
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = aisle(noun, size[0]);
     let table = stand::group(noun) == crate::brief::Group::Table;
-    let side = if rack { 1.0 } else { beside(table && (back - front).abs() < 0.1) };
+    let side = if rack { BEFORE_RACKS } else { beside(table && (back - front).abs() < 0.1) };
     let ahead = match toward {
         true if flat => 1.3,
         true => before_rows(plan, table, d, d - side - cell_d),
@@ -492,11 +504,14 @@ fn cells(
     Some((0..asked.min(each * n)).map(place).collect())
 }
 
-/// Desks that face each other in groups of four, spread over the floor; `front` is how far one reaches with its chair.
-fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, n: usize) -> Option<Vec<Pose>> {
+/// Desks that face each other in groups, spread over the floor; `front` is how far one reaches with its chair.
+/// `aside`: on the left, and no wider apart than needed.
+fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, (n, aside): (usize, bool)) -> Option<Vec<Pose>> {
+    const WIDEST: [f64; 2] = [2.2, DESKS];
     const BESIDE: f64 = 0.9;
     const BEHIND_CHAIRS: f64 = 0.7;
-    let each = 2;
+    // In groups of four, or of six where those have no seat left over.
+    let each = if n % 4 == 2 && n.is_multiple_of(6) { 3 } else { 2 };
     let groups = n.div_ceil(2 * each);
     let (wide, deep) = (each as f64 * size[0] + 0.02, 2.0 * front + size[2] + 0.02);
     let (free_w, free_d) = (w - 2.0 * BESIDE, d - 2.0 * BEHIND_CHAIRS);
@@ -509,12 +524,13 @@ fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, n: usize) -> Option<Vec<P
         return None;
     }
     let step = |free: f64, cell: f64, count: usize| {
-        if count > 1 { ((free - cell) / (count - 1) as f64).min(cell + 2.2) } else { 0.0 }
+        if count > 1 { ((free - cell) / (count - 1) as f64).min(cell + WIDEST[usize::from(aside)]) } else { 0.0 }
     };
     let (step_x, step_z) = (step(free_w, wide, columns), step(free_d, deep, lines));
+    let off = if aside { (free_w - wide - (columns - 1) as f64 * step_x) / 2.0 } else { 0.0 };
     let place = |i: usize| {
         let (group, seat) = (i / (2 * each), i % (2 * each));
-        let x = ((group % columns) as f64 - (columns as f64 - 1.0) / 2.0) * step_x;
+        let x = ((group % columns) as f64 - (columns as f64 - 1.0) / 2.0) * step_x - off;
         let z = ((lines as f64 - 1.0) / 2.0 - (group / columns) as f64) * step_z;
         let across = ((seat / 2) as f64 - (each as f64 - 1.0) / 2.0) * (size[0] + 0.02);
         let back = if seat % 2 == 0 { 1.0 } else { -1.0 };

@@ -52,6 +52,11 @@ impl Wall {
         if matches!(self, Self::Back | Self::Front) { size[0] } else { size[2] }
     }
 
+    /// How far it is from the wall across the room.
+    pub fn depth(self, size: [f64; 3]) -> f64 {
+        if matches!(self, Self::Back | Self::Front) { size[2] } else { size[0] }
+    }
+
     /// The place whose middle is so far from the wall and so far along it, to the right of who stands with the back at it.
     pub fn place(self, size: [f64; 3], along: f64, off: f64) -> Pose {
         let [w, _, d] = size;

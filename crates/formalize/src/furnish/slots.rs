@@ -41,7 +41,7 @@ pub struct Sizes {
 }
 
 /// L-shaped desks and sofas are at least so deep; others have low tables and chairs so far before them (metres).
-const BENT: f64 = 1.2;
+pub const BENT: f64 = 1.2;
 const LOW: f64 = 0.6;
 const BEFORE_SEATS: f64 = 0.42;
 const AT_DESKS: f64 = 0.05;

@@ -154,7 +154,11 @@ pub(super) fn lanes(
     if n < 2 {
         return single();
     }
-    if before.is_empty() {
+    if before.is_empty()
+        && let Some(places) = belts(choice, floor, shape, n)
+    {
+        row.replace(places);
+    } else if before.is_empty() {
         let side_by_side = |lane: f64| {
             let frame = |i: usize| Pose { x: i as f64 * (choice.size[0] + lane), ..Pose::default() };
             let mut whole = Shape::default();
@@ -170,6 +174,69 @@ pub(super) fn lanes(
     row.borrow().get(before.len()).copied().or_else(single)
 }
 
+/// So far from the wall with the door the belts of tills end, and so wide is the lane between two of them (metres).
+const BEFORE_DOOR: [f64; 3] = [1.9, 1.6, 2.4];
+const TILL_LANE: f64 = 0.95;
+/// Between the tills and the wall at the side of the door (metres): the way in, beside carts.
+const WAY_IN: f64 = 2.2;
+
+/// Places of several tills side by side, whose belts lead from the shelves towards the door at the front of the room.
+fn belts(choice: &Choice, floor: &Floor, shape: &Shape, n: usize) -> Option<Vec<Pose>> {
+    let [w, _, d] = floor.size;
+    if !choice.noun.ends_with("checkout lane") || floor.door_beyond(2, -d / 2.0) > BEFORE_DOOR[0] {
+        return None;
+    }
+    let [.., back, front] = super::seek::reach(shape);
+    let pitch = back + front + TILL_LANE;
+    let frame = |i: usize| Pose { z: i as f64 * pitch, ..Pose::default() };
+    let mut whole = Shape::default();
+    for at in (0..n).map(frame) {
+        whole.pieces.extend(shape.pieces.iter().map(|piece| Footprint { at: at.then(&piece.at), ..*piece }));
+    }
+    let along = (n - 1) as f64 * pitch / 2.0;
+    let steps = (-(w * 5.0) as i32..=(w * 5.0) as i32).map(|i| f64::from(i) * 0.1);
+    // Goods are laid on the belt at the end that is to the right of the front.
+    let places = steps.flat_map(|middle| {
+        BEFORE_DOOR.into_iter().map(move |off| {
+            let z = off + choice.size[0] / 2.0 - d / 2.0;
+            Pose { x: middle + along, y: 0.0, z, yaw: 270.0 }
+        })
+    });
+    let cost = |pose: &Pose| {
+        let middle = pose.then(&Pose { z: along, ..Pose::default() });
+        // One comes in beside them.
+        let to_door = floor.first_door().map_or(0.0, |[x, _]| x.signum());
+        let beside = WAY_IN - (w / 2.0 - to_door * middle.x - along - back.max(front));
+        Some(2.0 * beside.max(0.0) + middle.x.abs() + (pose.z - choice.size[0] / 2.0 + d / 2.0 - BEFORE_DOOR[0]).abs())
+    };
+    let first = super::seek::best(floor, &whole, places, &cost)?;
+    Some((0..n).map(|i| first.then(&frame(i))).collect())
+}
+
+/// How much of the depth of a shop is for its tills, before its shelves begin; `None`: it has none.
+pub(super) fn for_tills(plan: &Plan) -> Option<f64> {
+    const AISLE: f64 = 1.5;
+    const USUAL: f64 = 3.2;
+    let line = plan.kind.lines.iter().find(|line| matches!(line.place, PlanPlace::Service(_)))?;
+    let [w, h, d] = Plan::size(line.noun);
+    let Some(at) = near_to(plan, line.noun) else {
+        let is_lane = line.noun.ends_with("checkout lane") && !plan.is_closed(line.noun);
+        return Some(if is_lane { BEFORE_DOOR[0] + w + AISLE } else { USUAL });
+    };
+    let is_along = (at.yaw / 90.0).round() as i64 % 2 != 0;
+    let depth = plan.draft.rooms[plan.room].size[2];
+    Some(if is_along { Block::of(&at, [w, h, d]).high[2] + AISLE + depth / 2.0 } else { USUAL })
+}
+
+/// How much of the depth of a shop is for the counters before its back wall and those who are served there.
+pub(super) fn for_counters(plan: &Plan) -> f64 {
+    let depth = plan.draft.rooms[plan.room].size[2];
+    let lines = plan.kind.lines.iter().filter(|line| matches!(line.place, PlanPlace::Before(_, 180.0)));
+    let fronts = lines.filter_map(|line| Some((near_to(plan, line.noun)?, Plan::size(line.noun)[2])));
+    let depths = fronts.map(|(at, deep)| depth / 2.0 - at.z + deep / 2.0 + SERVED);
+    depths.fold(0.0, f64::max)
+}
+
 /// Where the wide door of the room is, if it has one.
 pub(super) fn gate(plan: &Plan) -> Option<Pose> {
     let door = plan.draft.openings.iter().find(|o| o.category.as_deref() == Some(gates::GATE))?;
@@ -183,7 +250,10 @@ pub(super) fn keep_exit(plan: &mut Plan, tills: &[Pose], size: [f64; 3]) {
     let [w, _, d] = ground.size;
     let way = Block::of(till, size);
     // Guests come to the front of a till, or pass between two, and leave toward the door.
-    let across = if (till.yaw / 90.0).round() as i64 % 2 == 0 { 2 } else { 0 };
+    // Between belts one passes along them.
+    let is_turned = (till.yaw / 90.0).round() as i64 % 2 != 0;
+    let are_belts = tills.get(1).is_some_and(|next| ((next.x - till.x).abs() > (next.z - till.z).abs()) == is_turned);
+    let across = if is_turned == are_belts { 2 } else { 0 };
     let half = [w, 0.0, d][across] / 2.0;
     let toward_door = ground.door_beyond(across, (way.low[across] + way.high[across]) / 2.0);
     let (low, high) = if toward_door > 0.0 { (way.high[across], half) } else { (-half, way.low[across]) };
@@ -195,6 +265,11 @@ pub(super) fn keep_exit(plan: &mut Plan, tills: &[Pose], size: [f64; 3]) {
         _ => (Pose { x: middle, y: 0.05, ..Pose::default() }, [deep, 1.8, (d - 2.0 * CORNERS).max(0.1)]),
     };
     ground.keep(&at, size);
+    let whole = match across {
+        2 => [w, size[1], deep],
+        _ => [deep, size[1], d],
+    };
+    plan.exit = Some(Block::of(&at, whole));
 }
 
 /// Where the door to a room of a kind is.
@@ -214,7 +289,7 @@ pub(super) fn kept(line: &Line, size: [f64; 3], hung: bool, beside: f64) -> Vec<
     }
     if line.noun.ends_with("car") {
         // Its doors open, and one walks round it.
-        let (side, end) = (0.6, 0.45);
+        let (side, end) = (0.6, 0.3);
         let beside = |x: f64| (at(x * (w + side) / 2.0, 0.05, 0.0), [side, 1.0, 0.8 * d]);
         let ends = |z: f64| (at(0.0, 0.05, z * (d + end) / 2.0), [w, 1.0, end]);
         return vec![beside(-1.0), beside(1.0), ends(-1.0), ends(1.0)];

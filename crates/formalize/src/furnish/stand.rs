@@ -68,6 +68,16 @@ pub fn is_easy(chair: &str) -> bool {
     chair.split(' ').any(|word| EASY.contains(&word))
 }
 
+/// Behind a rocking chair so much is free (metres).
+pub const BEHIND_ROCKING: f64 = 0.25;
+
+/// The room that something needs for itself: a rocking chair does not rock at a wall.
+pub fn moving(noun: &str, [w, h, d]: [f64; 3]) -> [f64; 3] {
+    const BESIDE: f64 = 0.1;
+    const BEHIND: f64 = BEHIND_ROCKING + 0.03;
+    if noun.ends_with("rocking chair") { [w + 2.0 * BESIDE, h, d + 2.0 * BEHIND] } else { [w, h, d] }
+}
+
 /// What guests use, beside seats: it does not stand behind the counter of those who serve them.
 const GUESTS: [&str; 28] = [
     "arcade machine",

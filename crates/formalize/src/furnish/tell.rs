@@ -55,6 +55,11 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
             )
         }
         PlanPlace::Corner if line.noun == "plant" => every(&|x| format!("onFloor({x}, {room})")),
+        // It rocks, a little off the walls.
+        PlanPlace::Corner if stand::moving(line.noun, size) != size => {
+            let (yaw, behind) = (metres(at.yaw), metres(stand::BEHIND_ROCKING));
+            every(&|x| format!("onFloor({x}, {room}) and {x}.rot.y = {yaw} and clear({x}, behind, {behind})"))
+        }
         PlanPlace::Corner => every(&|x| format!("onFloor({x}, {room}) and inCorner({x}, {room})")),
         PlanPlace::Middle if n == 1 && rectangular => format!("assert {};", fixed(&at)),
         PlanPlace::Floor if n == 1 && rectangular && groups::is_visited(line.noun, plan.kind.dress) => {

@@ -60,7 +60,7 @@ fn one_room(tokens: &mut Vec<Token>) {
     while i < tokens.len() {
         let adjective = usize::from(matches!(word(tokens, i + 1), "open" | "separate" | "small" | "large"));
         let name = word(tokens, i + 1 + adjective).to_owned();
-        let placed = matches!(word(tokens, i + 2 + adjective), "area" | "space" | "zone" | "corner" | "nook");
+        let placed = matches!(word(tokens, i + 2 + adjective), "area" | "space" | "zone" | "corner" | "nook" | "loft");
         let open = name == "kitchen" && (tiny || adjective > 0 && word(tokens, i + 1) == "open");
         if matches!(word(tokens, i), "a" | "an") && matches!(word(tokens, i + 1), "workspace" | "workplace") {
             put(tokens, i, i + 2, &["a", "desk"]);

@@ -72,11 +72,14 @@ fn zone(line: &'static str) -> Option<Zone> {
 
 /// Turns "a meeting corner" into what such a corner has.
 pub fn plain(tokens: &mut Vec<Token>) {
-    if tokens.iter().any(|t| HOMES.iter().any(|home| t.is(home))) {
-        return;
-    }
+    let is_home = tokens.iter().any(|t| HOMES.iter().any(|home| t.is(home)));
     let mut i = 0;
     while i < tokens.len() {
+        // A home has rooms by the names of areas, but a corner is in one of them.
+        if is_home && !tokens.get(i + 1).is_some_and(|t| t.is("corner") || t.is("nook")) {
+            i += 1;
+            continue;
+        }
         two_groups(tokens, i);
         // "I want a reading nook": that is the room.
         if let Some((zone, end)) = named(tokens, i)
@@ -207,6 +210,7 @@ mod tests {
                 "we need a plan and an office space with four desks",
             ),
             ("an apartment with a dining area", "an apartment with a dining area"),
+            ("a one-bedroom flat with a study corner", "a one-bedroom flat with a desk"),
             ("a cafe. The dining area is 4 m wide", "a cafe . the dining area is 4 m wide"),
         ] {
             let mut tokens = token::tokens(text, 100).0;

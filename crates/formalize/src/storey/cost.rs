@@ -9,7 +9,7 @@ pub const DOORWAY: f64 = 1.15;
 const PIPES: f64 = 0.5;
 
 /// The length of a parked car with the way around it, and the width of a place for one (metres).
-const CAR: [f64; 2] = [5.3, 3.0];
+const CAR: [f64; 2] = [6.0, 3.2];
 /// What a garage costs that no car fits into.
 const NO_DRIVE: f64 = 60.0;
 
@@ -67,7 +67,7 @@ pub fn ways(cells: &[Cell], rects: &[Rect], hub: usize, links: &[(usize, usize)]
 /// How bad a plan is.
 pub fn cost(cells: &[Cell], rects: &[Rect], hub: usize, links: &[(usize, usize)]) -> f64 {
     let ways = ways(cells, rects, hub, links);
-    let mut out = 200.0 * ways.unreached as f64 + 80.0 * ways.unmet as f64 + 25.0 * ways.roundabout as f64;
+    let mut out = 200.0 * ways.unreached as f64 + 80.0 * ways.unmet as f64 + 40.0 * ways.roundabout as f64;
     for (room, (cell, rect)) in cells.iter().zip(rects).enumerate() {
         if cell.fixed.is_none() {
             out += shape(cell, rect, room == hub);
@@ -85,7 +85,7 @@ fn shape(cell: &Cell, rect: &Rect, hub: bool) -> f64 {
     let (long, short) = (w.max(d), w.min(d));
     let area = w * d;
     if cell.hall {
-        return 0.25 * area + 20.0 * (long / short / 7.0 - 1.0).max(0.0);
+        return 0.5 * area + 20.0 * (long / short / 5.0 - 1.0).max(0.0);
     }
     let even = match (cell.wet, hub) {
         (true, _) => 1.8,
@@ -95,7 +95,7 @@ fn shape(cell: &Cell, rect: &Rect, hub: bool) -> f64 {
     // Who sits in a passage has no living room.
     let weight = if cell.shared { 24.0 } else { 14.0 };
     let square = |v: f64| v.max(0.0).powi(2);
-    let narrow = |least: f64, is: f64| if is < least - 1e-6 { 2.0 + 40.0 * square(least - is) } else { 0.0 };
+    let narrow = |least: f64, is: f64| if is < least - 1e-6 { 2.0 + 90.0 * square(least - is) } else { 0.0 };
     weight * square(long / short - even)
         + narrow(cell.sides[0], short)
         + narrow(cell.sides[1], long)
@@ -150,7 +150,7 @@ fn outline(rects: &[Rect]) -> f64 {
     let (w, d) = (bound(0), bound(1));
     let used: f64 = rects.iter().map(|r| (r.size[0] + 0.06) * (r.size[1] + 0.06)).sum();
     let empty = 1.0 - used / ((w + 0.06) * (d + 0.06));
-    20.0 * empty.max(0.0) + 12.0 * (w.max(d) / w.min(d) - 1.6).max(0.0).powi(2)
+    20.0 * empty.max(0.0) + 30.0 * (w.max(d) / w.min(d) - 1.6).max(0.0).powi(2)
 }
 
 /// The outline's width and depth, and its lower corner.
