@@ -36,6 +36,8 @@ const WORKED_AROUND: [(&str, f64); 2] = [("table saw", 0.8), ("work table", 0.6)
 const BESIDE_SOFA: f64 = 0.25;
 /// On both sides of a toilet this much is free.
 const ELBOW: f64 = 0.18;
+/// What a television stands on is lower than this (metres).
+const ABOVE_STAND: f64 = 1.0;
 /// Beside a fireplace this much is free.
 const HEARTH: f64 = 0.4;
 /// Behind the belt of a treadmill this much is free.
@@ -452,24 +454,20 @@ impl Plan<'_> {
     /// What was said of seats for people before their table had a place, and may be at odds with it, is said no more.
     fn settle(&mut self) {
         let names: Vec<String> = self.claimed.iter().map(|i| self.draft.things[*i].name.clone()).collect();
-        let is_mirror = |name: &str| {
-            self.claimed.iter().any(|i| {
-                let it = &self.draft.things[*i];
-                it.category.ends_with("mirror") && it.name == name
-            })
-        };
-        let mirrors: Vec<String> = names.iter().filter(|name| is_mirror(name)).cloned().collect();
-        let screens = self.claimed.iter().map(|i| &self.draft.things[*i]);
-        let screens: Vec<String> = screens
-            .filter(|it| stand::group(&it.category) == crate::brief::Group::Screen)
-            .map(|it| it.name.clone())
-            .collect();
+        let is_screen = |it: &&&DraftThing| stand::group(&it.category) == crate::brief::Group::Screen;
+        let is_high = |it: &DraftThing| self.place_in_room(&it.name).is_some_and(|at| at.y > ABOVE_STAND);
+        let claimed: Vec<&DraftThing> = self.claimed.iter().map(|i| &self.draft.things[*i]).collect();
+        let name = |it: &&DraftThing| it.name.clone();
+        let hung = claimed.iter().filter(|it| it.category.ends_with("mirror") || is_screen(it) && is_high(it));
+        let hung: Vec<String> = hung.map(name).collect();
+        let screens = claimed.iter().filter(|it| is_screen(it) && !is_high(it));
+        let screens: Vec<String> = screens.map(name).collect();
         self.draft.statements.retain(|s| {
             // What stands on its stand does not hang on a wall; a mirror hangs above what it goes with.
             let raised = s.text.starts_with("prefer") && s.text.contains(".bottom");
-            let hung = s.text.contains("wallMounted(") || raised;
+            let mounted = s.text.contains("wallMounted(") || raised;
             let of = |names: &[String]| words(&s.text).iter().any(|w| names.iter().any(|n| n == w));
-            if !matches!(s.source, ThingOrigin::Stated(_)) && (hung && of(&screens) || raised && of(&mirrors)) {
+            if !matches!(s.source, ThingOrigin::Stated(_)) && (mounted && of(&screens) || raised && of(&hung)) {
                 return false;
             }
             let turns = s.text.starts_with("prefer") || s.text.contains("looksAt(") || s.text.contains("around(");

@@ -324,14 +324,14 @@ fn wheres(part: &GroupPart, each: usize, (wall, is_bent): (AtWall, bool)) -> Vec
     }
 }
 
-/// Whether a part stands on the floor beside what it goes with, or is a television on its stand or a mirror above it.
+/// Whether a part stands on the floor beside what it goes with, or is a television on its stand or above the fire, or a mirror above it.
 fn is_claimed(part: &GroupPart) -> bool {
     use Where::{Above, Around, Back, Enclose, Front, LongSides, Outside, Row, RowBehind, Side, Sides, Top, Under};
     match part.at {
         Enclose(..) | Front(..) | Back(..) | Side(..) | Sides(..) | Row(..) | RowBehind(..) => true,
         Around(..) | LongSides(..) | Outside(..) | Under(..) => true,
         Top(..) => stand::group(part.noun) == Group::Screen && part.noun == "tv",
-        Above(..) => part.noun == "mirror",
+        Above(..) => matches!(part.noun, "mirror" | "tv"),
         _ => false,
     }
 }

@@ -39,7 +39,7 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &FurnishingKind) {
         && !stated
         && w.max(d) > wide + 1.6
     {
-        let size = [wide, high.min(h - 0.15), 0.12];
+        let size = [gate_width(draft, at, wide), high.min(h - 0.15), 0.12];
         add(draft, at, "garageDoor", GATE, size, &format!("cars or goods enter a {}", kind.name));
         // It is placed first: the ordinary door finds room beside it.
         if !of_home {
@@ -55,6 +55,16 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &FurnishingKind) {
         let called = crate::names::identifier(&words.join(" "), "door");
         add(draft, at, &called, &format!("{name} door"), size, &format!("a {} has one", kind.name));
     }
+}
+
+/// How wide the gate is for the cars that are asked for, if the wall is wide enough.
+fn gate_width(draft: &Draft, at: usize, one: f64) -> f64 {
+    const EACH: f64 = 2.5;
+    const BESIDE: f64 = 0.6;
+    let cars = draft.things.iter().filter(|thing| thing.room == Some(at) && thing.category.ends_with("car"));
+    let more = cars.map(|thing| thing.count).sum::<usize>().saturating_sub(1);
+    let [w, _, d] = draft.rooms[at].size;
+    (one + EACH * more as f64).min(w.max(d) - BESIDE).max(one)
 }
 
 fn add(draft: &mut Draft, at: usize, name: &str, category: &str, size: [f64; 3], why: &str) {

@@ -313,6 +313,8 @@ impl<'a> Plan<'a> {
         let name = if is_narrow && name == RESTAURANT_TABLE { SMALL_RESTAURANT_TABLE } else { name };
         tops::load(self, thing);
         let mut taken: Vec<Taken> = self.loads.iter().filter(|(of, _)| *of == thing).map(|(_, taken)| *taken).collect();
+        // One thing hangs above another: where a television is asked for, no mirror does.
+        let mut has_above = false;
         for part in groups::of(name, self.kind.dress) {
             let on_top = matches!(part.at, Where::Top(..) | Where::Board(..));
             let hung = matches!(part.at, Where::Above(..));
@@ -324,13 +326,13 @@ impl<'a> Plan<'a> {
             if !roofed && matches!(part.at, Where::Over)
                 || is_high && !KEPT_HIGH.iter().any(|end| part.noun.ends_with(end))
                 || on_top && loaded
-                || hung && (wall == AtWall::No || is_under_window)
+                || hung && (wall == AtWall::No || is_under_window || has_above)
             {
                 continue;
             }
             // What is asked for has its place in a small room, too.
             if self.counted < part.least {
-                self.claim(thing, part, wall, deep, &mut taken);
+                has_above |= self.claim(thing, part, wall, deep, &mut taken) && hung;
             } else {
                 self.part(thing, part, wall, deep, &mut taken);
             }

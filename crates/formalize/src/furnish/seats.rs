@@ -2,9 +2,9 @@
 
 use super::claim::{line, sit_at};
 use super::groups;
-use super::kinds;
+use super::kinds::{self, seats_all};
 use super::stand::counts_as;
-use crate::brief::{Brief, Group};
+use crate::brief::{Brief, Group, Thing};
 
 /// A room in which all seats belong to its tables is for as many people as there are seats, if nothing else is said.
 pub fn people(brief: &mut Brief) {
@@ -14,6 +14,14 @@ pub fn people(brief: &mut Brief) {
         }
         let Some(kind) = kinds::of(&brief.rooms[at].name) else { continue };
         let here: Vec<usize> = (0..brief.things.len()).filter(|i| brief.things[*i].room == at).collect();
+        // "A boardroom with a table for sixteen".
+        let is_one = |thing: &&Thing| thing.group == Group::Table && thing.number.said().is_none_or(|n| n == 1);
+        let tables = here.iter().map(|i| &brief.things[*i]).filter(is_one);
+        let places = tables.filter(|table| seats_all(kind, &table.name())).find_map(|table| table.places);
+        if let Some(n) = places.filter(|n| *n as f64 > kind.people) {
+            brief.rooms[at].people = Some(n);
+            continue;
+        }
         let mut seats = here.iter().filter(|i| brief.things[**i].group == Group::Seat);
         let (Some(&seat), None) = (seats.next(), seats.next()) else { continue };
         let thing = &brief.things[seat];

@@ -169,6 +169,25 @@ pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A two-car garage with a workbench": it has two cars and a workbench.
+pub(super) fn garage_for(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some((first, "car")) = word(tokens, i).split_once('-') else { return false };
+    let cars = match first {
+        "single" | "one" => ["one", "car"],
+        "double" | "two" => ["two", "cars"],
+        "three" => ["three", "cars"],
+        _ => return false,
+    };
+    if word(tokens, i + 1) != "garage" {
+        return false;
+    }
+    let has_more = word(tokens, i + 2) == "with";
+    let link = if has_more { "and" } else { "" };
+    let words: Vec<&str> = ["garage", "with"].into_iter().chain(cars).chain([link]).filter(|w| !w.is_empty()).collect();
+    put(tokens, i, i + 2 + usize::from(has_more), &words);
+    true
+}
+
 /// "An audience of forty", "an audience for forty": forty seats.
 pub(super) fn audience(tokens: &mut Vec<Token>, i: usize) -> bool {
     if word(tokens, i) != "audience" || !matches!(word(tokens, i + 1), "of" | "for") {
@@ -629,6 +648,8 @@ mod tests {
             ("a law office with a reception and two desks", "a law office with a reception desk and two desks"),
             ("a studio with a mirrored wall", "a studio with three gym mirrors"),
             ("a garage for two cars with a workbench", "a garage with two cars and a workbench"),
+            ("a two-car garage with a workbench", "a garage with two cars and a workbench"),
+            ("a double-car garage", "a garage with two cars"),
             ("a room for two people with a desk", "a room for two people with a desk"),
             ("a stage with an audience of forty people", "a stage with forty seats"),
             ("the audience of a play", "the audience of a play"),

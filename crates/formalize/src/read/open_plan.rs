@@ -92,9 +92,17 @@ fn part(tokens: &[Token], i: usize) -> Option<(&'static str, &'static [&'static 
 
 /// Of rooms from a word on, which are said to be one by what begins at `from`: the first with what the others have.
 fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
-    let mut parts = Vec::new();
+    let (mut parts, mut second) = (Vec::new(), first);
     let (mut at, mut end) = (first, first);
     while let Some((name, has, next)) = part(tokens, at) {
+        // "… kitchen and living room and a study": the study is a room of its own.
+        let has_article = |at: usize| at > first && word(tokens, at - 1) == "a";
+        if parts.len() > 1 && has_article(at) && !has_article(second) {
+            break;
+        }
+        if parts.len() == 1 {
+            second = at;
+        }
         if !parts.iter().any(|(other, _)| *other == name) {
             parts.push((name, has));
         }
@@ -144,6 +152,11 @@ mod tests {
                 "an living room with a kitchen counter and a dining table and a piano",
             ),
             ("a combined kitchen and dining room", "a kitchen with a dining table"),
+            ("a combined kitchen, dining room and study", "a kitchen with a dining table and a desk"),
+            (
+                "an open-plan kitchen and living room and a study",
+                "an living room with a kitchen counter and a study",
+            ),
             ("an open-plan office", "an open-plan office"),
             ("an open plan kitchen", "an open plan kitchen"),
             ("a living room and a kitchen", "a living room and a kitchen"),

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 50] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 51] = [
             apart,
             together,
             each_other,
@@ -35,6 +35,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::horseshoe_table,
             meant::barrel_tables,
             meant::vehicles,
+            meant::garage_for,
             meant::audience,
             meant::window_counter,
             meant::counter_seats,
