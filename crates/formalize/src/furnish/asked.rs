@@ -224,7 +224,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.
-    let apart = (it.count == 1 || groups::is_visited(&noun, plan.kind.dress))
+    let by_area = line.is_some_and(|line| matches!(line.count, kinds::Count::Area(_)));
+    let apart = (it.count == 1 || by_area || groups::is_visited(&noun, plan.kind.dress))
         && matches!(own, Some(PlanPlace::Floor | PlanPlace::Middle))
         || it.count == 1 && it.look.features.iter().any(|feature| FREE.contains(&feature.as_str()));
     let special = |place: &PlanPlace| {

@@ -118,7 +118,7 @@ pub fn up(plan: &mut Plan, at: usize) {
     let Some(mut size) = it.size else { return };
     let (noun, windows) = (it.category.replace('_', " "), window_walls(plan));
     // A screen of the usual size has no foot when it hangs.
-    if stand::group(&noun) == Group::Screen && size[2] > HUNG_SCREEN && size == Plan::size(&noun) {
+    if stand::group(&noun) == Group::Screen && size[2] > HUNG_SCREEN && size[1..] == Plan::size(&noun)[1..] {
         size[2] = HUNG_SCREEN;
         plan.draft.things[at].size = Some(size);
     }
@@ -161,6 +161,11 @@ pub fn up(plan: &mut Plan, at: usize) {
         if plan.place_asked(at, &root) {
             break;
         }
+    }
+    // Nobody turns the head in bed to watch.
+    let is_across = |pose: Pose, seen: Pose| (pose.yaw - seen.yaw).rem_euclid(360.0) == 180.0;
+    if let (Some(pose), Some(seen), true) = (plan.place_in_room(&it.name), choice.looks_at, plan.sleeps()) {
+        plan.lacking += usize::from(!is_across(pose, seen));
     }
     if let (Some(_), Some(pose)) = (own, plan.place_in_room(&it.name)) {
         let text = place::absolute(&it.name, &plan.room_name(), [pose.x, pose.y, pose.z], pose.yaw);

@@ -223,6 +223,11 @@ impl<'a> Plan<'a> {
         self.count() > self.most()
     }
 
+    /// Whether such a room is nothing without its bed.
+    pub fn sleeps(&self) -> bool {
+        self.kind.lines.first().is_some_and(|line| stand::group(line.noun) == Group::Bed)
+    }
+
     /// Whether nothing more of the inventory is added.
     pub fn is_furnished(&self) -> bool {
         self.count() as f64 > self.most() as f64 * INVENTORY

@@ -153,14 +153,22 @@ fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
     if dines {
         plan.counted -= EATING;
     }
+    // What is watched from the bed has its wall before the wardrobe.
+    let sleeps = plan.sleeps();
+    let is_screen = |plan: &Plan, at: usize| stand::group(&plan.draft.things[at].category) == Group::Screen;
+    let (screens, hung): (Vec<usize>, Vec<usize>) =
+        order.hung.iter().partition(|thing| sleeps && is_screen(plan, **thing));
     for (i, line) in first.iter().chain(rest).enumerate() {
+        if i == 1 {
+            screens.iter().for_each(|thing| hang::up(plan, *thing));
+        }
         if i == first.len() {
             plan.counted = all;
             stand_up(plan, &order.later);
             if dines {
                 eat_at(plan);
             }
-            order.hung.iter().for_each(|thing| hang::up(plan, *thing));
+            hung.iter().for_each(|thing| hang::up(plan, *thing));
         }
         let matters = i < MATTER && is_essential(plan, line);
         if !early.contains(&line) && line.place != PlanPlace::Ceiling {

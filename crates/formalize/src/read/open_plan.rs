@@ -32,6 +32,8 @@ pub fn plain(tokens: &mut Vec<Token>) {
         if let Some(words) = ONE.iter().find(said) {
             let first = i + words.len();
             merge(tokens, i, first);
+        } else if shares_room(tokens, i) {
+            merge(tokens, i, i);
         }
         i += 1;
     }
@@ -39,7 +41,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
 
 /// "A loft with a living area and a sleeping area": a loft is one room, and these are what stands there.
 fn one_room(tokens: &mut Vec<Token>) {
-    const AREAS: [(&str, &[&str]); 11] = [
+    const AREAS: [(&str, &[&str]); 12] = [
         ("living", &["a", "sofa"]),
         ("lounge", &["a", "sofa"]),
         ("seating", &["a", "sofa"]),
@@ -48,6 +50,7 @@ fn one_room(tokens: &mut Vec<Token>) {
         ("dining", &["a", "dining", "table"]),
         ("sleeping", &["a", "bed"]),
         ("bed", &["a", "bed"]),
+        ("bedroom", &["a", "bed"]),
         ("work", &["a", "desk"]),
         ("working", &["a", "desk"]),
         ("office", &["a", "desk"]),
@@ -81,6 +84,16 @@ fn open_kitchen(tokens: &mut Vec<Token>) {
     if let Some(at) = (1..tokens.len()).find(open).filter(|at| is_home && !lives && word(tokens, at - 1) == "an") {
         put(tokens, at - 1, at + 2, &["a", "living", "room", "with", "a", "kitchen", "counter"]);
     }
+}
+
+/// "A living room and dining area", "a living and dining room": one room, too.
+fn shares_room(tokens: &[Token], i: usize) -> bool {
+    let Some((name, _, next)) = part(tokens, i) else { return false };
+    let is_area = |end: usize| matches!(word(tokens, end - 1), "area" | "space" | "zone");
+    let joined = word(tokens, next) == "and" || matches!(tokens.get(next).map(|t| t.kind), Some(WordKind::Sign('/')));
+    let Some((other, _, end)) = part(tokens, next + 1).filter(|_| joined) else { return false };
+    let is_bare = next == i + 1 && matches!(name, "living" | "dining") && word(tokens, end - 1) == "room";
+    name != other && !is_area(next) && (is_area(end) || is_bare)
 }
 
 /// The part of a home that is named here, and where its name ends: "kitchen", "living room", "dining area".
@@ -124,15 +137,20 @@ fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
         "dining" => vec!["dining", "room", "with"],
         kitchen => vec![kitchen, "with"],
     };
-    let others = parts.iter().filter(|(name, _)| name != whole);
-    for (k, (_, has)) in others.enumerate() {
+    // A table that is spoken of afterwards is the one at which one eats.
+    let is_said = |has: &[&str]| has.last().is_some_and(|noun| tokens[end..].iter().any(|t| t.is(noun)));
+    let others: Vec<_> = parts.iter().filter(|(name, has)| name != whole && !is_said(has)).collect();
+    if others.is_empty() {
+        words.pop();
+    }
+    for (k, (_, has)) in others.iter().enumerate() {
         if k > 0 {
             words.push("and");
         }
         words.extend(*has);
     }
     // What follows is said of the whole: "… with a sofa".
-    if word(tokens, end) == "with" {
+    if word(tokens, end) == "with" && !others.is_empty() {
         words.push("and");
         end += 1;
     }
@@ -153,10 +171,11 @@ mod tests {
             ),
             ("a combined kitchen and dining room", "a kitchen with a dining table"),
             ("a combined kitchen, dining room and study", "a kitchen with a dining table and a desk"),
-            (
-                "an open-plan kitchen and living room and a study",
-                "an living room with a kitchen counter and a study",
-            ),
+            ("an open-plan kitchen and living room and a study", "an living room with a kitchen counter and a study"),
+            ("a living room and dining area for four", "a living room with a dining table for four"),
+            ("a living and dining room", "a living room with a dining table"),
+            ("a kitchen and dining area with a table for six", "a kitchen with a table for six"),
+            ("a living room and a dining room", "a living room and a dining room"),
             ("an open-plan office", "an open-plan office"),
             ("an open plan kitchen", "an open plan kitchen"),
             ("a living room and a kitchen", "a living room and a kitchen"),
