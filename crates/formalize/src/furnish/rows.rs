@@ -296,6 +296,8 @@ const AISLE: (f64, usize) = (1.1, 6);
 const SPREAD: f64 = 1.3;
 /// How much farther from what is before them (metres) rows are tried that are asked for, where something is in their way.
 const FARTHER: [f64; 5] = [0.0, NEARER, 0.5, 1.0, 1.5];
+/// Between the desk of a teacher and the first row (metres).
+const BEFORE_TEACHER: f64 = 0.9;
 /// Rows begin so much nearer to what is before them where there is no room for all.
 const NEARER: f64 = -0.7;
 /// The aisle between pews, and what is between one and the back of the next.
@@ -365,7 +367,12 @@ fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
     let at_back = |line: &&Line| line.noun == "stage" && matches!(line.place, PlanPlace::Back(_));
     let stage = plan.kind.lines.iter().find(at_back).filter(|_| has_stage);
     let ahead = stage.map_or(2.6_f64.min(0.33 * depth), |line| Plan::size(line.noun)[2] + BEFORE_STAGE);
-    counter.map_or(ahead, |gap| gap.min(most.max(0.42 * depth)))
+    // One gets past between the teacher's desk and those who look at it.
+    let taught = plan.kind.lines.iter().find_map(|line| match line.place {
+        PlanPlace::Before(gap, 0.0) if is_desk(line.noun) => Some(gap + Plan::size(line.noun)[2] + BEFORE_TEACHER),
+        _ => None,
+    });
+    counter.map_or(ahead.max(taught.unwrap_or(0.0)), |gap| gap.min(most.max(0.42 * depth)))
 }
 
 /// Between rows and the side walls (metres): one gets past, at tables behind pulled chairs.
