@@ -13,6 +13,8 @@ use crate::storey;
 const HALL: usize = 4;
 /// A home that is smaller is one room (square metres).
 const STUDIO: f64 = 34.0;
+/// A home with so many bedrooms has a second bathroom.
+const MANY_BEDROOMS: usize = 4;
 /// More bedrooms are not added.
 const BEDROOMS: usize = 4;
 
@@ -120,7 +122,11 @@ fn usual(brief: &mut Brief, people: usize) {
         }
     }
     if !has(brief, &["bathroom"]) {
-        add(brief, "bathroom", "a home has a bathroom");
+        let sleep = |room: &&Room| kinds::of(&room.name).is_some_and(|kind| SLEEP.contains(&kind.name));
+        let bedrooms = brief.rooms.iter().filter(sleep).count();
+        for _ in 0..1 + usize::from(bedrooms >= MANY_BEDROOMS) {
+            add(brief, "bathroom", "a home has a bathroom");
+        }
     }
     children(brief, people);
 }

@@ -82,13 +82,12 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     let rows = if aside { n } else { rows.min(n) };
     let columns = n.div_ceil(rows);
     let [mut beside, mut behind] = steps(brief, sizes, a);
-    let backs = rows == 2
-        && brief.facts.iter().any(|f| matches!(f.what, FactKind::Pattern(Pattern::BackToBack)) && f.of == [a]);
-    // Who works at desks that face each other sits between them and their backs.
+    // Who works at desks that face each other sits between them and their backs: the desks are back to back.
     let desks = brief.things[a].words.last().is_some_and(|w| w == "desk" || w == "workstation");
-    let faces = rows == 2
-        && !desks
-        && brief.facts.iter().any(|f| matches!(f.what, FactKind::Pattern(Pattern::FaceToFace)) && f.of == [a]);
+    let told = |pattern: Pattern| brief.facts.iter().any(|f| f.what == FactKind::Pattern(pattern) && f.of == [a]);
+    let faced = rows == 2 && told(Pattern::FaceToFace);
+    let backs = rows == 2 && told(Pattern::BackToBack) || faced && desks;
+    let faces = faced && !desks;
     if backs {
         behind = 0.02;
     }

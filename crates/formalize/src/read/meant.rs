@@ -169,6 +169,28 @@ pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Two sinks under a large mirror": the mirror hangs above them.
+pub(super) fn under_mirror(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SINKS: [&str; 4] = ["sink", "washbasin", "basin", "vanity"];
+    if i == 0
+        || !matches!(word(tokens, i), "under" | "below" | "beneath")
+        || !matches!(word(tokens, i + 1), "a" | "one")
+    {
+        return false;
+    }
+    let noun = word(tokens, i - 1).to_owned();
+    let one = SINKS.contains(&noun.as_str());
+    let several = noun.strip_suffix('s').is_some_and(|noun| SINKS.contains(&noun)) || noun == "vanities";
+    let Some(mirror) = (i + 2..i + 5).find(|k| word(tokens, *k) == "mirror").filter(|_| one || several) else {
+        return false;
+    };
+    let mirror_words: Vec<String> = tokens[i + 1..=mirror].iter().map(|t| t.text.clone()).collect();
+    let words = ["and"].into_iter().chain(mirror_words.iter().map(String::as_str));
+    let words: Vec<&str> = words.chain(["above", if one { "it" } else { "them" }]).collect();
+    put(tokens, i, mirror + 1, &words);
+    true
+}
+
 /// "A two-car garage with a workbench": it has two cars and a workbench.
 pub(super) fn garage_for(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some((first, "car")) = word(tokens, i).split_once('-') else { return false };
@@ -650,6 +672,9 @@ mod tests {
             ("a garage for two cars with a workbench", "a garage with two cars and a workbench"),
             ("a two-car garage with a workbench", "a garage with two cars and a workbench"),
             ("a double-car garage", "a garage with two cars"),
+            ("two sinks under a large mirror and a toilet", "two sinks and a large mirror above them and a toilet"),
+            ("a vanity below a mirror", "a vanity and a mirror above it"),
+            ("a rug under a table with a mirror", "a rug under a table with a mirror"),
             ("a room for two people with a desk", "a room for two people with a desk"),
             ("a stage with an audience of forty people", "a stage with forty seats"),
             ("the audience of a play", "the audience of a play"),

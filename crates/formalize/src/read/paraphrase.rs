@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 51] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 52] = [
             apart,
             together,
             each_other,
@@ -36,6 +36,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::barrel_tables,
             meant::vehicles,
             meant::garage_for,
+            meant::under_mirror,
             meant::audience,
             meant::window_counter,
             meant::counter_seats,
