@@ -122,7 +122,8 @@ fn is_wall_of(plan: &Plan, at: usize) -> bool {
 }
 
 /// Whether something at which people sit leaves the walls to what stands there, the table of a kitchen to its cupboards, that
-/// of an office to the desks; or whether it is watched from a seat, which has its place before.
+/// of an office to the desks, seats to wait on to the places at which a hairdresser works; or whether it is watched from a
+/// seat, which has its place before.
 fn is_later(plan: &Plan, at: usize) -> bool {
     let first = plan.kind.lines.first();
     let at_walls = first.is_some_and(|line| matches!(line.place, PlanPlace::Wall | PlanPlace::Run));
@@ -134,5 +135,11 @@ fn is_later(plan: &Plan, at: usize) -> bool {
         matches!(line.place, PlanPlace::Opposite(_)) && stand::counts_as(line.noun, &noun) && !plan.is_placed(at)
     });
     // An island stands before the worktops.
-    is_watched || at_walls && is_island(&noun) || (at_walls || at_desks) && has_seats(plan, &noun)
+    let own = plan.kind.lines.iter().position(|line| stand::counts_as(line.noun, &noun));
+    let is_run = |line: &Line| line.place == PlanPlace::Run && matches!(line.count, Count::People(_));
+    let waits = stand::group(&noun) == Group::Seat
+        && own.is_some_and(|own| own > 1)
+        && plan.kind.lines.iter().take(2).any(is_run)
+        && !plan.is_placed(at);
+    is_watched || waits || at_walls && is_island(&noun) || (at_walls || at_desks) && has_seats(plan, &noun)
 }

@@ -220,8 +220,14 @@ pub(super) fn audience(tokens: &mut Vec<Token>, i: usize) -> bool {
     let people = usize::from(matches!(word(tokens, last), "people" | "persons" | "guests" | "spectators"));
     let article = usize::from(i > 0 && matches!(word(tokens, i - 1), "a" | "an" | "the"));
     let number: Vec<String> = tokens[i + 2..last].iter().map(|t| t.text.clone()).collect();
-    let words: Vec<&str> = number.iter().map(String::as_str).chain(["seats"]).collect();
-    put(tokens, i - article, last + people, &words);
+    // "Chairs for an audience of twenty" are these seats.
+    let before = i - article;
+    let seats = ["chairs", "seats", "stools"].into_iter();
+    let own = seats.filter(|_| before > 1 && word(tokens, before - 1) == "for");
+    let own = own.into_iter().find(|seats| word(tokens, before - 2) == *seats);
+    let first = if own.is_some() { before - 2 } else { before };
+    let words: Vec<&str> = number.iter().map(String::as_str).chain([own.unwrap_or("seats")]).collect();
+    put(tokens, first, last + people, &words);
     true
 }
 
@@ -678,6 +684,7 @@ mod tests {
             ("a room for two people with a desk", "a room for two people with a desk"),
             ("a stage with an audience of forty people", "a stage with forty seats"),
             ("the audience of a play", "the audience of a play"),
+            ("a piano and chairs for an audience of twenty", "a piano and twenty chairs"),
             ("a science lab for a school", "a science classroom"),
             ("a lab in a high school with a desk", "a science classroom with a desk"),
             ("a cafe with a counter along the windows", "a cafe with a window counter"),
