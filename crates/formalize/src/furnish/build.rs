@@ -23,6 +23,8 @@ const SHORT_PULL_OUT: f64 = 0.36;
 /// Behind the chairs of a table for so many this much is free, where there is room.
 const MANY: usize = 8;
 const GET_PAST: f64 = 0.8;
+/// What is free at the ends of a table at whose long sides so many sit.
+const AT_ENDS: f64 = 0.7;
 /// How a group is placed, from the best manner to the last: how much is free behind its chairs, and whether ways may be narrower.
 const MANNERS: [(f64, bool); 3] = [(PULL_OUT, false), (SHORT_PULL_OUT, false), (SHORT_PULL_OUT, true)];
 /// Before a seat that belongs to no table this much is free.
@@ -233,6 +235,17 @@ impl Building {
                 let behind = Pose { z: -(size[2] + pull) / 2.0, y: 0.05, ..Pose::default() };
                 self.shape.free.push((frame.then(&behind), [size[0], 1.0, pull]));
                 self.has_chairs = true;
+            }
+        }
+        // Nor does a long table bar the way at its ends.
+        let table = self.shape.pieces.iter().find(|piece| piece.thing == of).map(|piece| piece.size);
+        if let (Where::LongSides(..), Some([w, _, d])) = (at, table)
+            && frames.len() >= MANY
+            && self.pull == PULL_OUT
+        {
+            for (anchor, side) in anchors.iter().flat_map(|anchor| [(anchor, -1.0), (anchor, 1.0)]) {
+                let end = Pose { x: side * (w + AT_ENDS) / 2.0, y: 0.05, ..Pose::default() };
+                self.shape.free.push((anchor.then(&end), [AT_ENDS, 1.0, d]));
             }
         }
         self.frames.insert(new, frames);

@@ -105,7 +105,7 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
     // Tables at which a team meets have a side of the room for themselves.
     let meets =
         |t: &crate::draft::DraftThing| t.room == Some(plan.room) && plan.is_parted(&t.category.replace('_', " "));
-    let aside = plan.draft.things.iter().filter(|t| meets(t)).map(|t| t.count).sum::<usize>() > 1;
+    let aside = plan.draft.things.iter().any(meets);
     let places = if facing { pairs([w, d], size, front, (n, aside)) } else { None };
     let matters = plan.matters || asked.is_some();
     // A team that finds no room for its groups of desks wants a larger one.

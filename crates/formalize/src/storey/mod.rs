@@ -250,8 +250,14 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
             _ => ([w * d, 1.25 * w * d], 0.75 * w.min(d)),
         };
         let beds = draft.things.iter().filter(|thing| thing.room == Some(room) && group(&thing.category) == Group::Bed);
-        let wide = beds.filter_map(|bed| bed.size).filter(|size| size[0] >= FOR_TWO);
-        let (area, side) = wide.fold((area, side), |([area, most], side), [w, _, d]| {
+        let mut wide: Vec<[f64; 3]> = beds.filter_map(|bed| bed.size).filter(|size| size[0] >= FOR_TWO).collect();
+        // A bedroom from which other rooms are reached needs a wall for its bed beside their doors.
+        let doors = links.iter().filter(|(a, b)| *a == room || *b == room).count();
+        let sleeps = kind(room).and_then(|kind| kind.lines.first()).filter(|line| line.noun == "bed");
+        if let Some(bed) = sleeps.filter(|_| wide.is_empty() && doors > 1) {
+            wide.extend(scenelang_lang::nouns::noun(bed.noun).map(|noun| noun.size));
+        }
+        let (area, side) = wide.into_iter().fold((area, side), |([area, most], side), [w, _, d]| {
             let side = side.max(d + FOOT);
             let area = area.max(side * (w + BESIDE));
             ([area, most.max(1.15 * area)], side)
