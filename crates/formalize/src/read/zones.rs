@@ -84,7 +84,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
         // "I want a reading nook": that is the room.
         if let Some((zone, end)) = named(tokens, i)
             && let Some(from) = begin(tokens, i)
-            && let Some((at, kind)) = kind(&tokens[..from])
+            && let Some((at, kind)) = room_of(&tokens[..from])
             // "A hotel with a lobby, a lounge and a bar": rooms, each of them.
             && (end > i + 1 || begin(tokens, at).is_none())
         {
@@ -157,6 +157,25 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
     }
 }
 
+/// The kind of the room in which a part is, and where its name begins: the room that was named last. "A hotel lobby with a bar and a
+/// lounge" has a bar to stand at.
+fn room_of(tokens: &[Token]) -> Option<(usize, &'static FurnishingKind)> {
+    let last = kind(tokens)?;
+    let is_thing = |at: usize| {
+        tokens[at..].iter().take(2).any(|t| t.word() && get().noun_ending(std::slice::from_ref(&t.text)).is_some())
+    };
+    let (mut end, mut main) = (tokens.len(), Some(last));
+    while let Some((at, _)) = main {
+        match begin(tokens, at) {
+            None => return main,
+            Some(article) if article < end && is_thing(at) => end = article,
+            Some(_) => break,
+        }
+        main = kind(&tokens[..end]);
+    }
+    Some(last)
+}
+
 /// The kind of the room that was named last, and where its name begins.
 fn kind(tokens: &[Token]) -> Option<(usize, &'static FurnishingKind)> {
     (0..tokens.len()).rev().find_map(|last| {
@@ -199,6 +218,7 @@ mod tests {
             ("a living room with a workspace", "a living room with a desk"),
             ("a hotel lobby with two seating areas", "a hotel lobby with a sofa and a loveseat"),
             ("a lounge with two separate seating groups and a bar", "a lounge with a sofa and a loveseat and a bar"),
+            ("a hotel lobby with a bar and a lounge", "a hotel lobby with a bar and a sofa and two armchairs"),
             // What such rooms have anyway.
             ("a bookshop with a reading corner", "a bookshop with a reading chair"),
             ("a bakery with a seating area", "a bakery with cafe tables"),
