@@ -134,7 +134,7 @@ fn declare(
                 draft.openings.push(Opening {
                     name: name.clone(),
                     kind,
-                    category: for_goods(&item.name()).then(|| GATE.to_owned()),
+                    category: inner_or_goods(&item.name()),
                     rooms: rooms.clone(),
                     size,
                     look: item.look.clone(),
@@ -240,7 +240,13 @@ fn polygon(corners: usize, w: f64, d: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Whether a door that is asked for is one for cars and goods.
-fn for_goods(name: &str) -> bool {
-    ["garage door", "roller door", "roller shutter", "loading door"].iter().any(|end| name.ends_with(end))
+/// What a door that is asked for is, if it is no ordinary one: for cars and goods, or to the bathroom of a studio.
+fn inner_or_goods(name: &str) -> Option<String> {
+    const INNER: &str = "bathroom door";
+    let goods = ["garage door", "roller door", "roller shutter", "loading door"].iter().any(|end| name.ends_with(end));
+    match name {
+        _ if goods => Some(GATE.to_owned()),
+        INNER => Some(INNER.to_owned()),
+        _ => None,
+    }
 }

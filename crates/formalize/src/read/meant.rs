@@ -169,6 +169,67 @@ pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A studio with a separate bathroom": such a room has a door to one.
+pub(super) fn studio_bathroom(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let is_studio = |t: &Token| ["studio", "bedsit", "loft"].iter().any(|name| t.is(name));
+    let separate = usize::from(matches!(word(tokens, i + 1), "separate" | "small" | "private"));
+    let end = i + 2 + separate;
+    let room = usize::from(word(tokens, end - 1) == "shower" && word(tokens, end) == "room");
+    let named = word(tokens, end - 1) == "bathroom" || room == 1;
+    let closes = tokens.get(end + room).is_none_or(|t| !t.word() || t.is("and"));
+    if word(tokens, i) != "a" || !named || !closes || !tokens[..i].iter().any(is_studio) {
+        return false;
+    }
+    put(tokens, i, end + room, &["a", "bathroom", "door"]);
+    true
+}
+
+/// "A café with a toilet", "a restaurant with restrooms": a room next door.
+pub(super) fn guest_toilets(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const PUBLIC: [&str; 18] = [
+        "restaurant",
+        "cafe",
+        "café",
+        "bar",
+        "pub",
+        "bistro",
+        "diner",
+        "pizzeria",
+        "office",
+        "shop",
+        "store",
+        "library",
+        "gym",
+        "gallery",
+        "bakery",
+        "salon",
+        "lobby",
+        "showroom",
+    ];
+    let toilets = match word(tokens, i) {
+        "toilet" | "toilets" | "restroom" | "restrooms" | "washroom" | "washrooms" => i,
+        _ => return false,
+    };
+    let first = tokens.iter().take(i).take_while(|t| !t.is("with")).any(|t| PUBLIC.iter().any(|word| t.is(word)));
+    let ends = tokens.get(toilets + 1).is_none_or(|t| !t.word() || t.is("and"));
+    let before = if i > 0 { word(tokens, i - 1) } else { "" };
+    let from = match before {
+        "a" | "one" | "two" | "guest" | "customer" => i - 1,
+        "with" | "and" | "has" => i,
+        _ => return false,
+    };
+    if !first || !ends {
+        return false;
+    }
+    let from = if from > 0 && from < i && matches!(before, "guest" | "customer") && word(tokens, from - 1) == "a" {
+        from - 1
+    } else {
+        from
+    };
+    put(tokens, from, i + 1, &["a", "public", "toilet"]);
+    true
+}
+
 /// "Two sinks under a large mirror": the mirror hangs above them.
 pub(super) fn under_mirror(tokens: &mut Vec<Token>, i: usize) -> bool {
     const SINKS: [&str; 4] = ["sink", "washbasin", "basin", "vanity"];
@@ -680,6 +741,11 @@ mod tests {
             ("a double-car garage", "a garage with two cars"),
             ("two sinks under a large mirror and a toilet", "two sinks and a large mirror above them and a toilet"),
             ("a vanity below a mirror", "a vanity and a mirror above it"),
+            ("a cafe with a counter and a toilet", "a cafe with a counter and a public toilet"),
+            ("a restaurant with toilets and a kitchen", "a restaurant with a public toilet and a kitchen"),
+            ("a bathroom with a toilet", "a bathroom with a toilet"),
+            ("a studio with a separate bathroom", "a studio with a bathroom door"),
+            ("a bedsit with a shower room and a desk", "a bedsit with a bathroom door and a desk"),
             ("a rug under a table with a mirror", "a rug under a table with a mirror"),
             ("a room for two people with a desk", "a room for two people with a desk"),
             ("a stage with an audience of forty people", "a stage with forty seats"),

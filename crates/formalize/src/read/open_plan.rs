@@ -81,6 +81,14 @@ fn open_kitchen(tokens: &mut Vec<Token>) {
     let is_home = tokens.iter().any(|t| HOMES.iter().any(|home| t.is(home)));
     let lives = tokens.iter().any(|t| t.is("living") || t.is("lounge"));
     let open = |i: &usize| word(tokens, *i) == "open" && word(tokens, *i + 1) == "kitchen";
+    // "A living room with an open kitchen".
+    let in_living = |at: &usize| {
+        let before = [4, 3, 2, 1].map(|k| at.checked_sub(k).map_or("", |k| word(tokens, k)));
+        matches!(before, ["living" | "lounge", "room" | "area", "with", "an"])
+    };
+    if let Some(at) = (1..tokens.len()).filter(open).find(in_living) {
+        return put(tokens, at - 1, at + 2, &["a", "kitchen", "counter"]);
+    }
     if let Some(at) = (1..tokens.len()).find(open).filter(|at| is_home && !lives && word(tokens, at - 1) == "an") {
         put(tokens, at - 1, at + 2, &["a", "living", "room", "with", "a", "kitchen", "counter"]);
     }
@@ -130,6 +138,17 @@ fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
     if matches!(word(tokens, end), "space" | "area") {
         end += 1;
     }
+    // "An open-plan living area": one cooks there, unless a kitchen is spoken of.
+    let area = end == first + 2 && matches!(word(tokens, end - 1), "area" | "space");
+    if let [("living", _)] = parts[..]
+        && area
+        && !tokens.iter().any(|t| t.is("kitchen") || t.is("kitchenette"))
+    {
+        let with = if word(tokens, end) == "with" { "and" } else { "" };
+        let words = ["living", "room", "with", "a", "kitchen", "counter", with];
+        let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
+        return put(tokens, from, end + usize::from(!with.is_empty()), &words);
+    }
     let whole = WHOLE.iter().find(|whole| parts.iter().any(|(name, _)| name == *whole));
     let (Some(whole), true) = (whole, parts.len() > 1) else { return };
     let mut words: Vec<&str> = match *whole {
@@ -176,6 +195,11 @@ mod tests {
             ("a living and dining room", "a living room with a dining table"),
             ("a kitchen and dining area with a table for six", "a kitchen with a table for six"),
             ("a living room and a dining room", "a living room and a dining room"),
+            ("an open-plan living area, three bedrooms", "an living room with a kitchen counter , three bedrooms"),
+            (
+                "a flat with a living room with an open kitchen and a bedroom",
+                "a flat with a living room with a kitchen counter and a bedroom",
+            ),
             ("an open-plan office", "an open-plan office"),
             ("an open plan kitchen", "an open plan kitchen"),
             ("a living room and a kitchen", "a living room and a kitchen"),

@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 52] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 54] = [
             apart,
             together,
             each_other,
@@ -37,6 +37,8 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::vehicles,
             meant::garage_for,
             meant::under_mirror,
+            meant::studio_bathroom,
+            meant::guest_toilets,
             meant::audience,
             meant::window_counter,
             meant::counter_seats,

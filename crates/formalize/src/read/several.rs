@@ -203,10 +203,10 @@ fn is_annex(of: &str, room: &str) -> bool {
         _ => {}
     }
     match kind(of) {
-        "bedroom" => kind(room) == "bathroom",
+        "bedroom" | "office" | "library" | "classroom" | "lobby" => kind(room) == "bathroom",
         "restaurant" | "cafe" | "bar room" => matches!(kind(room), "bathroom" | "kitchen") || STORES.contains(&room),
-        "shop" => STORES.contains(&room),
-        "gym" => matches!(room, "changing room" | "locker room"),
+        "shop" => kind(room) == "bathroom" || STORES.contains(&room),
+        "gym" => kind(room) == "bathroom" || matches!(room, "changing room" | "locker room"),
         _ => false,
     }
 }

@@ -30,6 +30,8 @@ const FOOT: f64 = 1.5;
 /// Before a desk, and beside it, for who works there (metres).
 const USE: f64 = 1.0;
 const BESIDE: f64 = 2.2;
+/// How large toilets are next to another room (square metres, and at most).
+const TOILETS: [f64; 2] = [6.0, 9.0];
 /// A bed for two is at least so wide (metres).
 const FOR_TWO: f64 = 1.35;
 /// The doors that are added (metres), and why.
@@ -245,6 +247,8 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
         let given = asked.size[0].is_some() || asked.size[2].is_some() || asked.area.is_some();
         let (area, side) = match kind(room).and_then(|kind| Some((kind, kind.home?))) {
             Some((kind, usual)) if home => at_home(draft, asked, room, (kind, usual)),
+            // Next to a café the toilets are small.
+            _ if is(room, &["public toilets"]) && room != hub => (TOILETS, 2.0),
             // Beds of a ward stand side by side along its width.
             _ if kind(room).is_some_and(|kind| kind.bay.is_some()) => ([w * d, 1.1 * w * d], w),
             _ => ([w * d, 1.25 * w * d], 0.75 * w.min(d)),
@@ -254,7 +258,7 @@ fn cells(draft: &Draft, brief: &Brief, hub: usize, links: &[(usize, usize)]) -> 
         // A bedroom from which other rooms are reached needs a wall for its bed beside their doors.
         let doors = links.iter().filter(|(a, b)| *a == room || *b == room).count();
         let sleeps = kind(room).and_then(|kind| kind.lines.first()).filter(|line| line.noun == "bed");
-        if let Some(bed) = sleeps.filter(|_| wide.is_empty() && doors > 1) {
+        if let Some(bed) = sleeps.filter(|_| wide.is_empty() && doors + usize::from(room == hub) > 1) {
             wide.extend(scenelang_lang::nouns::noun(bed.noun).map(|noun| noun.size));
         }
         let (area, side) = wide.into_iter().fold((area, side), |([area, most], side), [w, _, d]| {
