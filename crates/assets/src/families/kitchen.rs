@@ -295,10 +295,18 @@ pub(super) fn sink(a: &Ask) -> BuiltModel {
     m.mesh.crisp(hole.y(rim - thick..rim - 0.8 * thick), &shade(&bowl, 0.9));
     let drain = 0.08 * hole.size().x.min(hole.size().z);
     let c = hole.center();
-    m.mesh.drum(
-        block(c.x - drain..c.x + drain, rim - 0.8 * thick..rim - 0.74 * thick, c.z - drain..c.z + drain),
-        &chrome,
-    );
+    let bowls = if a.says(&["double", "twin"]) { vec![-0.25, 0.25] } else { vec![0.0] };
+    if bowls.len() > 1 {
+        let between = 0.02_f64.min(0.1 * hole.size().x);
+        m.mesh.crisp(hole.x(c.x - between..c.x + between).y(rim - 0.8 * thick..rim), &worktop);
+    }
+    for share in bowls {
+        let x = c.x + share * hole.size().x;
+        m.mesh.drum(
+            block(x - drain..x + drain, rim - 0.8 * thick..rim - 0.74 * thick, c.z - drain..c.z + drain),
+            &chrome,
+        );
+    }
     if wash {
         let column = block(-0.16 * a.w..0.16 * a.w, 0.0..rim - thick, b.min.z + 0.1 * a.d..b.min.z + 0.6 * a.d);
         m.solid_drum(column);

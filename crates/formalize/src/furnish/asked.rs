@@ -154,14 +154,22 @@ fn fit_screen(plan: &mut Plan, at: usize) {
     const SHARE: f64 = 0.22;
     const LARGEST: f64 = 2.2;
     const SHAPE: f64 = 0.58;
+    const IN_ROWS: f64 = 0.4;
+    const LARGEST_IN_ROWS: f64 = 4.0;
     let thing = &plan.draft.things[at];
     let noun = thing.category.replace('_', " ");
     let is_screen = ["screen", "tv", "television", "display"].iter().any(|end| noun.ends_with(end));
     let is_usual = thing.size == Some(Plan::size(&noun));
     let [w, _, d] = plan.draft.rooms[plan.room].size;
-    let wide = (SHARE * w.max(d)).min(LARGEST);
+    let mut wide = (SHARE * w.max(d)).min(LARGEST);
+    // Rows of seats look at nothing else.
+    let seats = |line: &Line| line.place == PlanPlace::Rows(true) && stand::group(line.noun) == Group::Seat;
+    if noun == "projection screen" && plan.kind.lines.iter().any(seats) {
+        wide = (IN_ROWS * w).min(LARGEST_IN_ROWS);
+    }
     let is_here = thing.room == Some(plan.room) && thing.count == 1;
-    let is_watched = stand::group(&noun) == Group::Screen && plan.people.is_some_and(|people| people >= MANY);
+    let is_screen_like = stand::group(&noun) == Group::Screen || noun == "projection screen";
+    let is_watched = is_screen_like && plan.people.is_some_and(|people| people >= MANY);
     if let Some(size) = plan.draft.things[at].size.as_mut()
         && (is_screen && is_usual && is_here && is_watched)
         && size[0] < wide

@@ -63,7 +63,18 @@ impl Reader<'_> {
 
     /// Things that come with another.
     pub(super) fn join(&mut self, owner: &[usize], things: &[usize], join: Join) {
+        const RUN: [&str; 9] =
+            ["sink", "stove", "oven", "hob", "cooktop", "cooker", "dishwasher", "fridge", "refrigerator"];
         for t in things {
+            // "A kitchen with an island with three stools and a double sink": the kitchen has the sink.
+            let is_end = |thing: usize, ends: &[&str]| ends.contains(&self.brief.things[thing].head().as_str());
+            let seats = self.brief.facts.iter().any(|fact| {
+                fact.what.objects().unwrap_or_default().contains(&owner[0])
+                    && fact.of.iter().any(|of| self.brief.things[*of].group == Group::Seat)
+            });
+            if join == Join::Usual && seats && is_end(*t, &RUN) && is_end(owner[0], &["island", "kitchen island"]) {
+                continue;
+            }
             self.seats_for(owner[owner.len() - 1], *t);
             let (group, owner_group) = (self.brief.things[*t].group, self.brief.things[owner[owner.len() - 1]].group);
             let usual = match group {
