@@ -155,11 +155,9 @@ pub struct SourceMap {
 }
 
 impl SourceMap {
-    /// No file yet.
     pub fn new() -> Self {
         Self::default()
     }
-    /// Adds a file.
     pub fn add(&mut self, file: SourceFile) -> FileId {
         let id = FileId(self.files.len() as u32);
         self.by_path.entry(file.path.clone()).or_insert(id);

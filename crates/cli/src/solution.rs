@@ -63,7 +63,7 @@ fn preferred(found: &JudgedLayout) -> String {
         Some(texts) => format!("these cannot hold together: {}", texts.join(", ")),
         None => "use a higher --quality to optimise for longer".to_owned(),
     };
-    format!("preferences met: weight {met} of {all}; {advice}\n")
+    format!("preferences met: {met} of a total weight of {all}; {advice}\n")
 }
 
 /// The statements of a contradiction between preferences, or between one and what is required: no search can meet them all.
@@ -98,12 +98,11 @@ fn still_free(found: &JudgedLayout) -> String {
 /// The statements in the way, in words.
 fn in_the_way(found: &JudgedLayout) -> String {
     let list: Vec<(String, &str)> = named(found).collect();
-    let which = match list.len() {
+    let mut out = match list.len() {
         0 => return String::new(),
-        1 => "this statement".to_owned(),
-        n => format!("these {n} statements"),
+        1 => "the layout satisfies all statements except this one, which may not be necessary to remove:\n".to_owned(),
+        n => format!("the layout satisfies all statements except these {n}; removing fewer of them may be enough:\n"),
     };
-    let mut out = format!("if {which} is removed, the layout satisfies all others; removing fewer may be enough:\n");
     for (id, text) in list {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         out += &format!("  {}: {}\n", plain::line(&id), plain::line(&text));

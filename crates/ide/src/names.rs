@@ -40,9 +40,7 @@ pub enum Symbol {
     Component,
     /// A side word.
     Side,
-    /// `objects`
     AllObjects,
-    /// `rooms`.
     AllRooms,
 }
 

@@ -111,19 +111,12 @@ pub enum TypeWord {
     Region,
     /// `Objects`: a set, parameters only.
     Objects,
-    /// `Number`
     Number,
-    /// `Degree`
     Degree,
-    /// `Bool`
     Bool,
-    /// `Vector3`
     Vector3,
-    /// `Rotation`
     Rotation,
-    /// `Color`
     Color,
-    /// `Material`
     Material,
     /// `String`: parameters only.
     String,

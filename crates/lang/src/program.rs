@@ -265,7 +265,6 @@ pub struct Guideline {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConstraintKind {
-    /// `assert`.
     Assert,
     /// `prefer … weight w`, w > 0.
     Prefer {

@@ -3,6 +3,9 @@
 use crate::text::Encoding;
 use serde_json::Value;
 
+/// The command of an editor that shows the room beside the program.
+pub const SHOW: &str = "scenelang.show";
+
 /// Which language model may be asked. No file of a workspace says so.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Models {
@@ -74,6 +77,8 @@ pub struct Client {
     pub named: Named,
     /// Edits may come with words about them.
     pub annotates: bool,
+    /// Has a command of its own that shows the room: it names it in `initializationOptions.commands`.
+    pub shows: bool,
 }
 
 impl Client {
@@ -123,6 +128,7 @@ impl Client {
             },
             named: Named::read(&params["initializationOptions"]["model"]),
             annotates: at("/workspace/workspaceEdit/changeAnnotationSupport").is_object(),
+            shows: has(&params["initializationOptions"]["commands"], SHOW),
         }
     }
 }

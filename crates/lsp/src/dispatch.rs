@@ -229,6 +229,12 @@ impl State {
 
     /// `inlayHint/resolve`: what there is to say of it, for who points at it.
     fn resolve_hint(&mut self, id: &Id, hint: Value) -> Result<(), Fault> {
+        // Of a value or a size there is nothing more to say.
+        if hint["data"].is_null() {
+            let hint: InlayHint = params(hint)?;
+            self.ask_pool(id, move || sent(hint));
+            return Ok(());
+        }
         let about: features::looks::About = params(hint["data"].clone())?;
         let hint: InlayHint = params(hint)?;
         let uri = about.uri.as_str().to_owned();

@@ -32,7 +32,6 @@ pub struct Held {
     pub name: String,
     /// Where it is, or would be.
     pub path: PathBuf,
-    /// Its text.
     pub text: String,
     /// What came of it; it has a program.
     pub compiled: Compiled,

@@ -120,9 +120,7 @@ pub struct Statement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum StatementKind {
-    /// `assert`
     Assert,
-    /// `prefer`
     Prefer,
     /// What the layout is held to: an assignment to a place or a size.
     Pin,

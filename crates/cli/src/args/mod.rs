@@ -123,7 +123,7 @@ pub struct Check {
     /// Apply the safe fixes to the programs first; for a layout, to its program
     #[arg(long)]
     pub fix: bool,
-    /// Also apply fixes that may change the meaning of the program, such as "did you mean"; review the changes afterwards
+    /// Apply the safe fixes and those that may change the meaning of the program, such as "did you mean"; review the changes afterwards
     #[arg(long)]
     pub unsafe_fixes: bool,
     /// Check again whenever a file changes, until Ctrl-C

@@ -139,3 +139,31 @@ fn later_stages_heed_comments_too() {
         assert!(!ended.stdout.contains("W0103"), "{}", ended.stdout);
     }
 }
+
+#[test]
+fn guesses_are_made_only_where_they_are_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let text = "object fridge;\nfridge.category <- \"refridgerator\";\nassert fridge.pos.y > 0;\n";
+    write(at, &[("room.scene", text)]);
+    scenelang(at, ["check", "--fix", "room.scene"]);
+    assert_eq!(read(at, "room.scene"), text);
+    let ended = scenelang(at, ["check", "--unsafe-fixes", "room.scene"]);
+    assert_eq!(read(at, "room.scene"), text.replace("refridgerator", "refrigerator"), "{ended:?}");
+    assert!(!ended.stdout.contains("W0205"), "{}", ended.stdout);
+}
+
+#[test]
+fn categories_are_listed_and_suggested() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let ended = scenelang(at, ["categories", "fridge"]);
+    assert!(ended.code == 0 && ended.stdout.lines().skip(1).any(|l| l.starts_with("fridge ")), "{ended:?}");
+    let ended = scenelang(at, ["categories", "fridge", "--format", "json"]);
+    let listed: serde_json::Value = serde_json::from_str(&ended.stdout).unwrap();
+    assert_eq!(listed["format"], "scenelang.categories/1");
+    let rows = listed["categories"].as_array().unwrap();
+    assert!(rows.iter().any(|row| row["category"] == "fridge" && row["size"].is_array()), "{listed}");
+    let ended = scenelang(at, ["categories", "refridgerator"]);
+    assert!(ended.code != 0 && ended.stderr.contains("refrigerator"), "{ended:?}");
+}

@@ -21,11 +21,8 @@ use terms::Term;
 /// Which properties of a region the program assigns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pins {
-    /// `pos`.
     pub pos: bool,
-    /// `rot`.
     pub rot: bool,
-    /// `scale`.
     pub scale: bool,
 }
 

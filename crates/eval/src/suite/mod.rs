@@ -26,7 +26,7 @@ pub const FORMAT: &str = "scenelang.suite/1";
 /// What a case calls itself.
 pub const CASE: &str = "scenelang.suiteCase/1";
 
-/// What is measured.
+/// What a suite measures: scenes of a generated dataset.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Suite {

@@ -15,7 +15,7 @@ pub(super) struct Series {
     pub joined: bool,
 }
 
-/// What is drawn.
+/// A chart of points over two axes.
 pub(super) struct Plot<'a> {
     pub title: &'a str,
     /// Labels of x and y.

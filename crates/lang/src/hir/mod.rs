@@ -36,7 +36,6 @@ pub enum Resolution {
         /// Which, if literals say it.
         index: Option<u32>,
     },
-    /// `objects`: all objects.
     AllObjects,
     /// `rooms`: all regions that are rooms.
     AllRooms,

@@ -52,7 +52,7 @@ pub fn names(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             out.push(match kind {
                 ItemKind::Variable(_) => d.note("use it in an assertion, or remove it"),
                 ItemKind::Region => d.note("state what is inside it, or remove it"),
-                _ => d.note("state where it should be or what it is, or remove it"),
+                _ => d.note("use it in a statement, or remove it"),
             });
         }
     }

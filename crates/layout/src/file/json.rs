@@ -20,7 +20,6 @@ pub struct JsonNode {
     pub range: TextRange,
 }
 
-/// A value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Json {
     /// `null`

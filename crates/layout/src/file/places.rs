@@ -5,7 +5,7 @@ use scenelang_base::{FileId, Span, TextRange};
 use smol_str::SmolStr;
 use std::collections::HashMap;
 
-/// A member of an object: key and value.
+/// Where a member of a JSON object stands in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MemberPlace {
     /// The key, with its quotation marks.

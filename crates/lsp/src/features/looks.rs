@@ -2,6 +2,7 @@
 
 use super::navigation::Positions;
 use super::{Whole, Within};
+use crate::client::SHOW;
 use crate::commands::{Target, command};
 use crate::disk::{self, Files};
 use crate::dispatch::{Context, Fault, sent};
@@ -267,7 +268,8 @@ pub fn lenses(context: &Context, _: &Whole) -> Result<Vec<CodeLens>, Fault> {
                 push("Check", "scenelang.check", Target::of(uri))?;
                 push("Solve", "scenelang.solve", Target::of(uri))?;
                 push("Repair", "scenelang.repairAll", Target::of(uri))?;
-                push("Show", "scenelang.show", Target::of(uri))?;
+                // Elsewhere the room is shown in a browser.
+                push("Show", if context.client.shows { SHOW } else { "scenelang.view" }, Target::of(uri))?;
             }
             Lens::Failing => {
                 push("Repair", "scenelang.repair", Target { line: Some(range.start.line), ..Target::of(uri) })?;

@@ -100,18 +100,27 @@ impl Semantics for Clear {
         let (id, thing) = call.object(0).ok()?;
         let name = call.name(0, names);
         let side = call.side(1);
-        let space = space(&thing.body, side, call.number(2).ok()?)?;
+        let depth = call.number(2).ok()?;
+        let space = space(&thing.body, side, depth)?;
+        let beside = match side {
+            ObjectSide::Front => "in front of",
+            ObjectSide::Behind => "behind",
+            ObjectSide::Left => "to the left of",
+            ObjectSide::Right => "to the right of",
+            ObjectSide::Above => "above",
+        };
+        let cleared = format!("the {} of space {beside} `{name}`", metres(depth));
         let contact = call.world.options.tolerances.contact;
         if let Some((blocker, found)) = nearest_body(call.world, &space, id)
             && found.separation.gap < -contact
         {
             let blocker = &names.objects[blocker.0 as usize].name;
-            return Some(format!("`{blocker}` extends {} into that space", metres(-found.separation.gap)));
+            return Some(format!("`{blocker}` extends {} into {cleared}", metres(-found.separation.gap)));
         }
         let (region, prism) = region_of(call.world, id, side)?;
         let (left, _) = room_left(call.world, id, side, &space, prism);
         let region = &names.regions[region.0 as usize].name;
-        (left < -contact).then(|| format!("that space beside `{name}` extends beyond `{region}` by {}", metres(-left)))
+        (left < -contact).then(|| format!("{cleared} extends beyond `{region}` by {}", metres(-left)))
     }
 
     fn in_the_way(call: &Call<'_, f64>) -> Vec<ObjectId> {

@@ -53,7 +53,7 @@ pub(super) fn measured(
                 (_, Some(text)) => format!("`{text}`, which is {}", side(*b)),
                 _ => format!("the right side, which is {}", side(*b)),
             };
-            let must = if holds { "" } else { "must be " };
+            let must = if holds { "" } else { "but must be " };
             format!("{left}, {must}{} {right}", relation(op))
         }
         Node::Same(a, b) => {
@@ -62,7 +62,7 @@ pub(super) fn measured(
                 _ => "unknown".to_owned(),
             };
             let what = text(program, formula, *a).map_or("the left side".to_owned(), |t| format!("`{t}`"));
-            let must = if holds { "against" } else { "must be" };
+            let must = if holds { "against" } else { "but must be" };
             format!("{what} is {}, {must} {}", side(*a), side(*b))
         }
         Node::BuiltIn(built_in, args) => {
@@ -93,7 +93,7 @@ fn measure(
     let Ok(Value::Number(value)) = scratch.get(left) else { return None };
     let call = Call { built_in: *built_in, args, values: scratch.values(), world, node: left };
     let (noun, unit) = (call.words(program)?, declared(*built_in).unit);
-    let must = if holds { "" } else { "must be " };
+    let must = if holds { "" } else { "but must be " };
     let (value, limit) = (with_unit(value, unit), with_unit(*limit, unit));
     Some(format!("{noun} is {value}, {must}{} {limit}", relation(op)))
 }

@@ -75,9 +75,18 @@ impl Compared {
                 TemplatePiece::Choice(texts) => side(texts, value),
             };
         }
-        let must = if self.holds { "" } else { "must be " };
+        let must = if self.holds { "" } else { "but must be " };
         let whither = choice.map_or_else(String::new, |texts| format!(" {}", side(texts, limit)));
-        format!("{out}, {must}{} {}{whither}", relation(op), quantity(limit))
+        match (choice, op) {
+            // "at least 0 m beyond" says no more than "beyond".
+            (Some([beyond, _]), Comparison::Ge | Comparison::Gt) if limit == 0.0 && !self.holds => {
+                format!("{out}, but must be {beyond}")
+            }
+            (Some([beyond, _]), Comparison::Le | Comparison::Lt) if limit == 0.0 && !self.holds => {
+                format!("{out}, but must not be {beyond}")
+            }
+            _ => format!("{out}, {must}{} {}{whither}", relation(op), quantity(limit)),
+        }
     }
 }
 

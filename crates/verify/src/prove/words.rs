@@ -14,7 +14,7 @@ use scenelang_lang::roles::role_of;
 
 /// Of a contradiction that rests on what is usual.
 const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: the proof assumes that \
-    rooms are not rotated, and that objects are upright and rest on the floor or on each other, as in layouts that `solve` makes";
+    rooms are not rotated, and that objects stand upright, rest on something and have their usual sizes, as in layouts made by `solve`";
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
@@ -92,7 +92,7 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
             _ => "…",
         };
         finding = finding.note(format!(
-            "a door or window belongs in a wall: `assert connects({0}, {room});` names its room, and lets `{0}` stand in the wall",
+            "a door or window belongs in a wall: add `assert connects({0}, {room});`",
             program.objects[opening.0 as usize].name
         ));
     }

@@ -169,9 +169,7 @@ impl Tally {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RowKind {
-    /// `assert`.
     Assert,
-    /// `prefer`.
     Prefer,
     /// An assignment that the layout must agree with.
     Pin,

@@ -3,11 +3,13 @@
 //!
 //! Cases whose name begins with `(missed)` are not proved yet, or with a larger set; one that is proved loses the mark.
 //!
+//! The cases of `always.txt` are assertions that always hold instead, each beside one that says something.
+//!
 //! The cases are in `tests/proofs/everyday`; the head of `packing.txt` says how they are written. That the other programs
-//! have layouts is tested where they can be solved (`crates/synth`).
+//! have layouts is tested where they can be solved (`crates/cli`).
 
 use crate::proofs::{compiled, lines};
-use scenelang_verify::prove::{Findings, ProveOptions, prove};
+use scenelang_verify::prove::{Findings, ProveOptions, WORK, prove};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, time::Instant};
@@ -20,7 +22,15 @@ struct Case {
     twin: String,
 }
 
+/// The file of assertions that always hold.
+const ALWAYS: &str = "always";
+
+/// The contradictions.
 fn cases() -> Vec<Case> {
+    all_cases().into_iter().filter(|c| !c.name.starts_with(ALWAYS)).collect()
+}
+
+fn all_cases() -> Vec<Case> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/proofs/everyday");
     let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
     files.sort();
@@ -69,6 +79,9 @@ fn everyday_contradictions_are_proved_with_the_smallest_set() {
         let (findings, found) = proved(&case.text);
         let took = begun.elapsed();
         println!("{}: {found:?} in {took:.1?}, {} steps", case.name, findings.work_spent);
+        if findings.work_spent > WORK {
+            writeln!(wrong, "{}: {} steps, more than the {WORK} of `check`", case.name, findings.work_spent).unwrap();
+        }
         proofs += usize::from(!found.is_empty());
         let exact = found.first() == Some(&case.wanted);
         inexact += usize::from(!found.is_empty() && !exact);
@@ -78,6 +91,27 @@ fn everyday_contradictions_are_proved_with_the_smallest_set() {
     }
     println!("{proofs} of {all} proved, {inexact} of them with another set");
     assert!(wrong.is_empty(), "\n{wrong}");
+    assert!(proofs * 100 >= all * 90, "only {proofs} of {all} are proved");
+    assert!((proofs - inexact) * 100 >= all * 85, "only {} of {all} have the smallest set", proofs - inexact);
+}
+
+/// The lines of assertions that always hold.
+fn always(text: &str) -> Vec<usize> {
+    let program = compiled(text);
+    let findings = prove(&program, &ProveOptions { usual: true, ..ProveOptions::default() });
+    assert!(findings.contradictions.is_empty() && findings.work_spent <= WORK, "{text}");
+    let line = |s: &usize| text[..program.constraints[*s].span.range.start as usize].matches('\n').count() + 1;
+    findings.always.iter().map(line).collect()
+}
+
+#[test]
+fn assertions_that_always_hold_are_told_from_others() {
+    let cases: Vec<Case> = all_cases().into_iter().filter(|c| c.name.starts_with(ALWAYS)).collect();
+    assert!(cases.len() >= 6, "only {} cases", cases.len());
+    for case in cases {
+        assert_eq!(always(&case.text), case.wanted, "{}", case.name);
+        assert_eq!(always(&case.twin), [0; 0], "{}", case.name);
+    }
 }
 
 #[test]

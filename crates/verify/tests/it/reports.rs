@@ -25,7 +25,7 @@ fn bedroom() -> Checked {
 #[test]
 fn people_read_both_sides_and_the_measured_values() {
     insta::assert_snapshot!(human(&bedroom(), Human::default()), @r##"
-    [V0101] Error: `nightstand.pos.x` is 2.13, must be more than 2.5
+    [V0101] Error: `nightstand.pos.x` is 2.13, but must be more than 2.5
        ╭─[ room.scene:4:1 ]
        │
      2 │ object nightstand;
@@ -58,7 +58,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │
        │ Note: P-COLLIDE forbids it, too
     ───╯
-    [V0106] Advice: `nightstand.rot.y` is 0°, must be equal to 90°
+    [V0106] Advice: `nightstand.rot.y` is 0°, but must be equal to 90°
        ╭─[ room.scene:6:1 ]
        │
      2 │ object nightstand;
@@ -107,7 +107,7 @@ fn line(value: &impl serde::Serialize) -> String {
 #[test]
 fn rows_say_what_they_should() {
     let report = bedroom().report;
-    insta::assert_snapshot!(line(&report.constraints[0]), @r##"{"id":"room.scene:4:1","kind":"assert","rule":null,"code":"V0101","satisfied":false,"margin":-0.3700000000000001,"unit":"m","objects":["nightstand"],"text":"nightstand.pos.x > 2.5","message":"`nightstand.pos.x` is 2.13, must be more than 2.5; `nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[4,1],"end":[4,30]},"requirements":["the lamp is <above> the table"],"explanation":{"measured":{"left":2.13,"right":2.5,"unit":"m"},"objects":[{"name":"nightstand","pos":[2.13,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[0.4,0.5,0.4],"text":"`nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m"}],"move":{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:5:1","P-COLLIDE:bed:nightstand"],"text":"move `nightstand` 0.38 m east"},"choices":[{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:5:1","P-COLLIDE:bed:nightstand"],"text":"move `nightstand` 0.38 m east"}]}}"##);
+    insta::assert_snapshot!(line(&report.constraints[0]), @r##"{"id":"room.scene:4:1","kind":"assert","rule":null,"code":"V0101","satisfied":false,"margin":-0.3700000000000001,"unit":"m","objects":["nightstand"],"text":"nightstand.pos.x > 2.5","message":"`nightstand.pos.x` is 2.13, but must be more than 2.5; `nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[4,1],"end":[4,30]},"requirements":["the lamp is <above> the table"],"explanation":{"measured":{"left":2.13,"right":2.5,"unit":"m"},"objects":[{"name":"nightstand","pos":[2.13,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[0.4,0.5,0.4],"text":"`nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m"}],"move":{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:5:1","P-COLLIDE:bed:nightstand"],"text":"move `nightstand` 0.38 m east"},"choices":[{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:5:1","P-COLLIDE:bed:nightstand"],"text":"move `nightstand` 0.38 m east"}]}}"##);
     insta::assert_snapshot!(line(&report.constraints[3]), @r##"{"id":"room.scene:7:1","kind":"pin","rule":null,"code":null,"satisfied":true,"margin":0.001,"unit":"m","objects":["bed"],"text":"bed.pos <- vec3(1, 0, 2)","message":"`bed.pos` is (1, 0, 2), against (1, 0, 2)","span":{"file":"room.scene","start":[7,1],"end":[7,25]}}"##);
     insta::assert_snapshot!(line(&report.constraints[4]), @r##"{"id":"P-COLLIDE:bed:nightstand","kind":"collision","rule":"P-COLLIDE","code":"V0102","satisfied":false,"margin":-0.06900000000000012,"unit":"m","objects":["bed","nightstand"],"text":"`bed` and `nightstand` do not collide","message":"`bed` overlaps `nightstand` by 0.07 m; `bed` is at (1.00, 0.00, 2.00), faces north (+z), 2.00 × 0.55 × 1.60 m; `nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[1,8],"end":[1,11]},"explanation":{"measured":{"left":-0.07000000000000012,"right":-0.001,"unit":"m"},"objects":[{"name":"bed","pos":[1.0,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[2.0,0.55,1.6],"text":"`bed` is at (1.00, 0.00, 2.00), faces north (+z), 2.00 × 0.55 × 1.60 m"},{"name":"nightstand","pos":[2.13,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[0.4,0.5,0.4],"text":"`nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m"}],"move":{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:4:1","room.scene:5:1"],"text":"move `nightstand` 0.38 m east"},"choices":[{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:4:1","room.scene:5:1"],"text":"move `nightstand` 0.38 m east"}]}}"##);
     insta::assert_snapshot!(line(&report.summary), @r##"{"assertions":{"total":2,"satisfied":0},"preferences":{"total":1,"satisfied":0},"physical":{"total":3,"satisfied":2},"pins":{"total":1,"satisfied":1}}"##);
@@ -164,9 +164,9 @@ fn sarif_says_what_a_rule_means_what_belongs_to_it_and_what_repairs_it() {
 fn a_compact_report_has_a_line_for_each_finding() {
     let report = bedroom().report;
     insta::assert_snapshot!(compact(&report, Human::default()), @r##"
-    room.scene:4:1: error[V0101]: nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, must be more than 2.5 (margin -0.370 m)
+    room.scene:4:1: error[V0101]: nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, but must be more than 2.5 (margin -0.370 m)
     room.scene:5:1: error[V0102]: not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
-    room.scene:6:1: advice[V0106]: nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, must be equal to 90° (margin -89.9°)
+    room.scene:6:1: advice[V0106]: nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, but must be equal to 90° (margin -89.9°)
     room.scene:1:8: error[V0102]: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
     room.layout.json: 0 of 2 assertions, 1 of 1 assignments, 0 of 1 preferences, 2 of 3 physical rules hold
     "##);
@@ -187,9 +187,9 @@ fn a_compact_report_has_a_line_for_each_finding() {
 fn annotations_are_escaped_as_the_runner_undoes_it() {
     let mut report = bedroom().report;
     insta::assert_snapshot!(github(&[report.clone()]), @r##"
-    ::error file=room.scene,line=4,endLine=4,col=1,endColumn=29,title=V0101::nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, must be more than 2.5 (margin -0.370 m)
+    ::error file=room.scene,line=4,endLine=4,col=1,endColumn=29,title=V0101::nightstand.pos.x > 2.5 fails: `nightstand.pos.x` is 2.13, but must be more than 2.5 (margin -0.370 m)
     ::error file=room.scene,line=5,endLine=5,col=1,endColumn=36,title=V0102::not collides(bed, nightstand) fails: `bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
-    ::notice file=room.scene,line=6,endLine=6,col=1,endColumn=37,title=V0106::nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, must be equal to 90° (margin -89.9°)
+    ::notice file=room.scene,line=6,endLine=6,col=1,endColumn=37,title=V0106::nightstand.rot.y = 90 weight 2 is not met: `nightstand.rot.y` is 0°, but must be equal to 90° (margin -89.9°)
     ::error file=room.scene,line=1,endLine=1,col=8,endColumn=10,title=V0102::`bed` overlaps `nightstand` by 0.07 m (margin -0.069 m)
     "##);
     report.constraints.truncate(1);

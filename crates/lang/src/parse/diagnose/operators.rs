@@ -66,14 +66,15 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let next = site.kind(site.at + 1);
     let is_function = library::names().any(|name| name == word) || BuiltIn::named(word).is_some();
     if is_function && next != Some(Kind::LParen) {
-        let message = format!("`{word}` is no operator; it is called with its arguments in parentheses");
-        let diagnostic = Diagnostic::new(E0116, site.range(site.at), message);
         let operands = site.before() == Some(Kind::Ident) && next == Some(Kind::Ident);
         let (before, after) = (site.slice(site.at - 1), site.slice(site.at + 1));
         let more = library::predicate_head(word).is_some_and(|head| head.params.len() > 2);
         let rest = if more { ", …" } else { "" };
-        let note = format!("as in `{word}({before}, {after}{rest})`");
-        return Some(if operands { diagnostic.note(note) } else { diagnostic });
+        let message = match operands {
+            true => format!("`{word}` is not an operator; write `{word}({before}, {after}{rest})`"),
+            false => format!("`{word}` is not an operator; write its arguments in parentheses after it"),
+        };
+        return Some(Diagnostic::new(E0116, site.range(site.at), message));
     }
     let synonym = SYNONYMS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word)).map(|(_, ours)| *ours);
     // A lone word behind a value is more likely a second name than an operator.
@@ -134,7 +135,7 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             })
         }
         Kind::LParen if site.before() == Some(Kind::Ident) && site.kind(site.at.checked_sub(2)?) == Some(Kind::Dot) => {
-            let message = format!("{} cannot be called as a property", site.quoted(site.at - 1));
+            let message = format!("{} cannot be called with a dot", site.quoted(site.at - 1));
             let note = "predicates and functions are called by their name alone: `near(a, b, 1)`";
             Some(Diagnostic::new(E0110, site.range(site.at - 1), message).note(note))
         }
