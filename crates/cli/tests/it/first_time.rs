@@ -34,7 +34,7 @@ const SAID: &[(&[&str], u8, &str)] = &[
     (&["check", "long.layout.json"], 1, "the layout seems to be in centimetres; lengths in a layout are in metres"),
     (&["check", "rooms.scene"], 0, "`living` and `kitchen` overlap by 2 m"),
     (&["check", "lamp.scene"], 1, "usual sizes are assumed (width × height × depth): `lamp` 0.4 × 1.55 × 0.4 m"),
-    (&["check", "window.scene"], 1, "`assert connects(window, room);` names its room"),
+    (&["check", "window.scene"], 1, "a door or window belongs in a wall: add `assert connects(window, room);`"),
 ];
 
 #[test]

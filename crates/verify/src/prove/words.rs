@@ -13,7 +13,7 @@ use scenelang_lang::program::{BuiltIn, Node, ObjectId, Program};
 use scenelang_lang::roles::role_of;
 
 /// Of a contradiction that rests on what is usual.
-const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: the proof assumes that \
+const AS_USUAL: &str = "this is impossible unless something is tilted or turned, or has an unusual size: the proof assumes that \
     rooms are not rotated, and that objects stand upright, rest on something and have their usual sizes, as in layouts made by `solve`";
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
