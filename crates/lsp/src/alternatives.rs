@@ -1,6 +1,6 @@
 //! Several layouts of a program to choose from: each with its plan as a picture, and the seed that makes it again.
 
-use crate::commands::{Watch, count};
+use crate::commands::{Hold, Watch, count};
 use crate::dispatch::Fault;
 use crate::jobs::Job;
 use crate::picture::Picture;
@@ -29,20 +29,28 @@ struct Alternative {
     plan: Option<String>,
 }
 
-/// Layouts of the seeds from `first`.
+/// Layouts of the seeds from `first`, in which what is held stays where it is.
 ///
 /// # Errors
-/// The program is too large, or nobody waits any more.
-pub fn alternatives(job: &Job, first: u64) -> Result<Alternatives, Fault> {
+/// The program is too large, what is to stay is not there, or nobody waits any more.
+pub fn alternatives(job: &Job, first: u64, hold: &Hold) -> Result<Alternatives, Fault> {
     let program = &job.compiled.program;
     if let Some(finding) = too_large(program) {
         return Err(Fault::Failed(finding.message));
     }
+    let (kept, locked) = hold.anew(job)?;
     let mut found: Vec<Alternative> = Vec::new();
     for i in 0..COUNT {
         job.progress.say(&format!("layout {} of {COUNT}", i + 1));
         let seed = first.wrapping_add(i);
-        let how = Arranging { seed, judge: job.judging.options, stop: job.stop.clone(), ..Arranging::default() };
+        let how = Arranging {
+            previous: kept.as_ref(),
+            locked: locked.clone(),
+            seed,
+            judge: job.judging.options,
+            stop: job.stop.clone(),
+            ..Arranging::default()
+        };
         let arranged = arrange(program, how, None, &mut Watch(job)).ok_or(Fault::Cancelled)?;
         let mut layout = arranged.outcome.layout;
         layout.seed = Some(seed);

@@ -88,7 +88,7 @@ impl State {
                 apply,
             ),
             "scenelang.alternatives" => {
-                let list = move |job: &Job| alternatives(job, seed.unwrap_or(1));
+                let list = move |job: &Job| alternatives(job, seed.unwrap_or(1), &Hold { lock, only });
                 let answer = Box::new(|state: &mut State, id: &Id, found: Alternatives| state.reply(id, sent(found)));
                 self.begin(id, uri, "Looking for alternatives", token, list, answer)
             }
@@ -134,12 +134,26 @@ enum Start {
 }
 
 /// What stays where it is.
-struct Hold {
+pub struct Hold {
     lock: Vec<String>,
     only: Vec<String>,
 }
 
 impl Hold {
+    /// Where a layout that is made anew begins: the places of what stays, if anything does, and which objects these are.
+    ///
+    /// # Errors
+    /// There is no layout, or an object that the program does not have is named.
+    pub fn anew(&self, job: &Job) -> Result<(Option<Layout>, Vec<ObjectId>), Fault> {
+        let locked = self.objects(job)?;
+        let stays = |name: &str| locked.iter().any(|id| job.compiled.program.objects[id.0 as usize].name == name);
+        let mut kept = layout_of(job).filter(|_| !locked.is_empty()).cloned();
+        if let Some(kept) = &mut kept {
+            kept.objects.retain(|(name, _)| stays(name));
+        }
+        Ok((kept, locked))
+    }
+
     /// The objects that stay.
     fn objects(&self, job: &Job) -> Result<Vec<ObjectId>, Fault> {
         let program = &job.compiled.program;
@@ -192,16 +206,12 @@ fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<JobO
         }
     };
     let adviser = model.as_mut().map(|(model, asking)| Adviser { model, asking: *asking });
-    let locked = hold.objects(job)?;
-    // Of a layout that is made anew only what is locked was there before.
-    let mut kept = there.cloned();
-    if let Some(kept) = kept.as_mut().filter(|_| start == Start::Nothing) {
-        let stays = |name: &str| locked.iter().any(|id| job.compiled.program.objects[id.0 as usize].name == name);
-        kept.objects.retain(|(name, _)| stays(name));
-    }
-    let previous = kept.as_ref().filter(|_| start == Start::Layout || !locked.is_empty());
+    let (kept, locked) = match start {
+        Start::Layout => (there.cloned(), hold.objects(job)?),
+        Start::Nothing => hold.anew(job)?,
+    };
     let how = Arranging {
-        previous,
+        previous: kept.as_ref(),
         locked,
         seed,
         judge: job.judging.options,

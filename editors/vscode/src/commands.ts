@@ -58,7 +58,7 @@ export class Commands {
     const target = this.target(uri);
     if (target === null) return;
     try {
-      const { alternatives } = await this.server.ask<{ alternatives: readonly Alternative[] }>("workspace/executeCommand", { command: "scenelang.alternatives", arguments: [{ uri: target.toString() }] });
+      const { alternatives } = await this.server.ask<{ alternatives: readonly Alternative[] }>("workspace/executeCommand", { command: "scenelang.alternatives", arguments: [{ uri: target.toString(), ...this.lock(target) }] });
       showAlternatives(`Alternatives ${basename(target.path)}`, alternatives, (seed) => this.serve("scenelang.solveAnew", target, { seed }));
     } catch (error) {
       if (!isCancelled(error)) say(false, reason(error));
@@ -72,7 +72,7 @@ export class Commands {
   }
 
   /** What is locked, as far as the program still has it. */
-  private lock(target: vscode.Uri): { readonly lock?: readonly string[] } {
+  lock(target: vscode.Uri): { readonly lock?: readonly string[] } {
     const uri = target.toString();
     const known = this.scenes.get(uri)?.objects ?? [];
     const lock = this.locks.of(uri).filter((object) => known.some(({ name }) => speaksOf(object, name)));

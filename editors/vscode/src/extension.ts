@@ -27,6 +27,7 @@ export function activate(context: vscode.ExtensionContext): void {
   const forms = new Forms(running);
   const locks = new Locks(context.workspaceState);
   const commands = new Commands(running, scenes, locks);
+  running.locked = (program) => commands.lock(program);
   const requests = new Requests();
   const start = new Start(context, running, commands, previews, requests);
 

@@ -10,6 +10,8 @@ import { type Located, locate } from "./locate.js";
 import { askEditor } from "./model.js";
 import type { Changed, Done, Question, Shown } from "./protocol.js";
 
+/** Commands that move objects. */
+const MOVING = new Set(["scenelang.solve", "scenelang.solveAnew", "scenelang.repair", "scenelang.repairAll", "scenelang.alternatives"]);
 /** Which of the settings the server is started with; of the others it is told while it runs. */
 const AT_START = ["scenelang.server.path", "scenelang.languageModel", "scenelang.model.name", "scenelang.model.baseUrl"];
 
@@ -46,6 +48,9 @@ export class Server implements vscode.Disposable {
       context.secrets.onDidChange(() => void this.restart()),
     ];
   }
+
+  /** What stays where it is when the server moves objects. */
+  locked: (program: vscode.Uri) => { readonly lock?: readonly string[] } = () => ({});
 
   get running(): boolean {
     // One that has crashed too often is not started again, and nobody but the client says so.
@@ -193,7 +198,7 @@ export class Server implements vscode.Disposable {
       },
       executeCommand: async (command, args, next) => {
         try {
-          const done: Done | null = await next(command, args);
+          const done: Done | null = await next(command, args.map((arg) => this.withLocks(command, arg)));
           if (done !== null) say(done.holds === done.total, done.message);
           return done;
         } catch (error) {
@@ -202,6 +207,12 @@ export class Server implements vscode.Disposable {
         }
       },
     };
+  }
+
+  /** A lens or an action knows nothing of what the user has locked. */
+  private withLocks(command: string, arg: { readonly uri?: string; readonly lock?: unknown } | null): unknown {
+    if (!MOVING.has(command) || arg?.uri === undefined || arg.lock !== undefined) return arg;
+    return { ...arg, ...this.locked(vscode.Uri.parse(arg.uri)) };
   }
 
   private tellMissing(why: string): void {

@@ -206,26 +206,17 @@ pub(super) fn guest_toilets(tokens: &mut Vec<Token>, i: usize) -> bool {
         "lobby",
         "showroom",
     ];
-    let toilets = match word(tokens, i) {
-        "toilet" | "toilets" | "restroom" | "restrooms" | "washroom" | "washrooms" => i,
-        _ => return false,
-    };
-    let first = tokens.iter().take(i).take_while(|t| !t.is("with")).any(|t| PUBLIC.iter().any(|word| t.is(word)));
-    let ends = tokens.get(toilets + 1).is_none_or(|t| !t.word() || t.is("and"));
-    let before = if i > 0 { word(tokens, i - 1) } else { "" };
-    let from = match before {
-        "a" | "one" | "two" | "guest" | "customer" => i - 1,
-        "with" | "and" | "has" => i,
-        _ => return false,
-    };
-    if !first || !ends {
+    const TOILETS: [&str; 6] = ["toilet", "toilets", "restroom", "restrooms", "washroom", "washrooms"];
+    let before = |k: usize| i.checked_sub(k).map_or("", |k| word(tokens, k));
+    let whose = usize::from(matches!(before(1), "guest" | "customer"));
+    let number = usize::from(matches!(before(1 + whose), "a" | "one" | "two"));
+    let listed = whose + number > 0 || matches!(before(1), "with" | "and" | "has");
+    let ends = tokens.get(i + 1).is_none_or(|t| !t.word() || t.is("and"));
+    let mut main = tokens.iter().take(i).take_while(|t| !t.is("with"));
+    if !TOILETS.contains(&word(tokens, i)) || !listed || !ends || !main.any(|t| PUBLIC.iter().any(|word| t.is(word))) {
         return false;
     }
-    let from = if from > 0 && from < i && matches!(before, "guest" | "customer") && word(tokens, from - 1) == "a" {
-        from - 1
-    } else {
-        from
-    };
+    let from = i - whose - number;
     put(tokens, from, i + 1, &["a", "public", "toilet"]);
     true
 }

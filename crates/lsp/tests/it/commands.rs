@@ -179,6 +179,16 @@ fn alternatives_are_made_again_by_their_seeds() {
     assert_eq!(solved["holds"], chosen["holds"]);
     let seen = client.ask("scenelang/scene", json!({ "uri": uri }));
     assert_eq!(seen["data"]["plan"], chosen["plan"], "the same room");
+    // What is locked stays in the pictures, too, so that the room that is chosen is the one that was seen.
+    client.set(&uri, &format!("{STUDY}object lamp;\nlamp.category <- \"lamp\";\nassert inside(lamp, r);\n"));
+    client.published(&uri);
+    run(&mut client, "scenelang.solve", json!({ "uri": uri }));
+    let lock = json!(["chair"]);
+    let found = run(&mut client, "scenelang.alternatives", json!({ "uri": uri, "lock": lock }))["alternatives"].clone();
+    let chosen = &found[2];
+    run(&mut client, "scenelang.solveAnew", json!({ "uri": uri, "seed": chosen["seed"], "lock": lock }));
+    let seen = client.ask("scenelang/scene", json!({ "uri": uri }));
+    assert_eq!(seen["data"]["plan"], chosen["plan"], "the same room");
     client.stop();
 }
 
