@@ -158,7 +158,8 @@ fn fit_screen(plan: &mut Plan, at: usize) {
     const LARGEST_IN_ROWS: f64 = 4.0;
     let thing = &plan.draft.things[at];
     let noun = thing.category.replace('_', " ");
-    let is_screen = ["screen", "tv", "television", "display"].iter().any(|end| noun.ends_with(end));
+    let is_named = ["screen", "tv", "television", "display"].iter().any(|end| noun.ends_with(end));
+    let is_screen = is_named && (stand::group(&noun) == Group::Screen || noun == "projection screen");
     let is_usual = thing.size == Some(Plan::size(&noun));
     let [w, _, d] = plan.draft.rooms[plan.room].size;
     let mut wide = (SHARE * w.max(d)).min(LARGEST);
@@ -168,8 +169,7 @@ fn fit_screen(plan: &mut Plan, at: usize) {
         wide = (IN_ROWS * w).min(LARGEST_IN_ROWS);
     }
     let is_here = thing.room == Some(plan.room) && thing.count == 1;
-    let is_screen_like = stand::group(&noun) == Group::Screen || noun == "projection screen";
-    let is_watched = is_screen_like && plan.people.is_some_and(|people| people >= MANY);
+    let is_watched = plan.people.is_some_and(|people| people >= MANY);
     if let Some(size) = plan.draft.things[at].size.as_mut()
         && (is_screen && is_usual && is_here && is_watched)
         && size[0] < wide
@@ -196,12 +196,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     }
     let it = plan.draft.things[thing].clone();
     let noun = it.category.replace('_', " ");
-    // Where such rooms have their own of it, it stands as those do. A kitchen is no counter at which guests are served.
-    let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
-    // Nor is a desk to work at one at which visitors are received.
-    let is_other = |line: &&Line| is_reception(&noun) && line.noun != noun && !stand::are_kin(line.noun, &noun);
-    let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line) && !is_other(line));
-    let line = lines.find(|line| stand::counts_as(line.noun, &noun)).or_else(|| received(plan, &noun));
+    // Where such rooms have their own of it, it stands as those do.
+    let line = line_of(plan, &noun);
     let own = line.map(|line| &line.place);
     let is_table = stand::group(&it.category) == Group::Table && !stand::is_treated_on(&noun);
     let in_rows = match own {
@@ -291,6 +287,16 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// The line of the inventory that a thing of this name stands for.
+fn line_of(plan: &Plan, noun: &str) -> Option<&'static Line> {
+    // A kitchen is no counter at which guests are served.
+    let is_kitchen = |line: &&Line| noun.ends_with("kitchen counter") && !line.noun.ends_with("kitchen counter");
+    // Nor is a desk to work at one at which visitors are received.
+    let is_other = |line: &&Line| is_reception(noun) && line.noun != noun && !stand::are_kin(line.noun, noun);
+    let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line) && !is_other(line));
+    lines.find(|line| stand::counts_as(line.noun, noun)).or_else(|| received(plan, noun))
 }
 
 /// Whether many chairs are asked for in a room in which visitors are received and nobody sits at tables: they wait there.

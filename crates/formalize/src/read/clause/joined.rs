@@ -116,6 +116,20 @@ impl Reader<'_> {
         }
     }
 
+    /// "A bedroom with a bathroom, a desk and a wardrobe": the list goes on with what is in the bedroom.
+    pub(super) fn goes_on_before(&self, i: usize, end: usize, room: usize) -> bool {
+        let is_annex = self.rooms.several.get(room).is_some_and(|several| several.own == Some(self.room));
+        let joins = |k: usize| matches!(self.piece(k, end), Some(ChunkPiece::Comma | ChunkPiece::And));
+        let next = i + 1 + usize::from(joins(i + 1)) + usize::from(joins(i + 1) && joins(i + 2));
+        let thing = self.np(next, end).filter(|np| np.kind == NounKind::Thing);
+        let kind = crate::furnish::kinds::of(&self.rooms.rooms[room].name);
+        let is_own = |noun: &str| {
+            let lines = kind.iter().flat_map(|kind| &kind.lines);
+            lines.into_iter().any(|line| crate::furnish::stand::counts_as(line.noun, noun))
+        };
+        is_annex && joins(i + 1) && thing.is_some_and(|np| !is_own(&np.name()))
+    }
+
     /// "a table for six with chairs": as many as it has places.
     fn seats_for(&mut self, owner: usize, seat: usize) {
         let Some(number) = self.brief.things[owner].places else { return };
