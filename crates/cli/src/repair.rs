@@ -14,6 +14,7 @@ use scenelang_solve::repair::told::{AlternativesReport, rows};
 use scenelang_solve::repair::{
     Alternative, Damaged, How, RepairOptions, Repaired, Text, Unjudged, Which, edited, repair as look,
 };
+use scenelang_synth::Hold;
 use scenelang_verify::report;
 use scenelang_verify::{Checked, Explain};
 use std::path::{Path, PathBuf};
@@ -75,6 +76,13 @@ fn repair(args: &Repair) -> Result<u8, String> {
         None => Which::All,
         Some(asked) => Which::Rows(rows(&checked, &main, asked)?),
     };
+    let locked = match Hold::These(&args.lock).objects(program, Some(layout)) {
+        Ok(locked) => locked,
+        Err(finding) => {
+            eprint!("{}", report::diagnostics(&[*finding], &checked.sources, color_err()));
+            return Ok(FAILED);
+        }
+    };
     let text = Text {
         name: &main,
         path: &path,
@@ -86,7 +94,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let progress = Progress::new(format!("repairing {name}"));
     // The rest is for what was found to be judged and written.
     let time = args.time.map(|time| Duration::from_secs_f64(SEARCH * time).saturating_sub(begun.elapsed()));
-    let found = look(&damaged, &which, &RepairOptions { judge: options, time, ..RepairOptions::default() });
+    let found = look(&damaged, &which, &RepairOptions { judge: options, time, locked, ..RepairOptions::default() });
     drop(progress);
     let found = found.map_err(|Unjudged| format!("{name} cannot be checked completely; `scenelang check` says why"))?;
     let choice = choose(args, &found.alternatives)?;

@@ -8,7 +8,7 @@
 
 use crate::moves::MoveFinder;
 use scenelang_base::codes;
-use scenelang_lang::program::Program;
+use scenelang_lang::program::{ObjectId, Program};
 use scenelang_layout::{Layout, Places};
 use scenelang_verify::check::{Judged, judged};
 use scenelang_verify::explain::{ObjectPlace, RowRef, SmallestMove};
@@ -20,20 +20,26 @@ const PURSE: usize = 240_000;
 
 /// What [`scenelang_verify::check`] says, with the moves that repair what fails, as far as the options ask for them.
 pub fn check(program: &Program, layout: &Layout, options: &Options) -> CheckVerdict {
-    check_at(program, layout, None, options)
+    check_at(program, layout, None, options, &[])
 }
 
-/// The same; `places` says where the values of the layout stand.
-pub(crate) fn check_at(program: &Program, layout: &Layout, places: Option<&Places>, options: &Options) -> CheckVerdict {
+/// The same; `places` says where the values of the layout stand, and no move that is offered moves what is `locked`.
+pub(crate) fn check_at(
+    program: &Program,
+    layout: &Layout,
+    places: Option<&Places>,
+    options: &Options,
+    locked: &[ObjectId],
+) -> CheckVerdict {
     let (mut verdict, world) = judged(program, layout, places, options);
     // Whoever could not be judged among so many cannot be moved among them either.
     let explain = if too_dense(&verdict) { Explain::First(0) } else { options.detail.explain };
-    complete(program, world, &mut verdict, explain);
+    complete(program, world, &mut verdict, explain, locked);
     verdict
 }
 
 /// Completes the explanations of the first rows that fail.
-fn complete(program: &Program, world: World<f64>, verdict: &mut CheckVerdict, how_many: Explain) {
+fn complete(program: &Program, world: World<f64>, verdict: &mut CheckVerdict, how_many: Explain, locked: &[ObjectId]) {
     let failing = failing(verdict);
     let fails = |row: &&mut Judged| row.satisfied == Some(false);
     let (hard, soft): (Vec<_>, Vec<_>) =
@@ -48,7 +54,7 @@ fn complete(program: &Program, world: World<f64>, verdict: &mut CheckVerdict, ho
     if rows.peek().is_none() {
         return;
     }
-    let mut finder = MoveFinder::new(program, world, failing, purse);
+    let mut finder = MoveFinder::new(program, world, failing, purse).locking(locked);
     for row in rows {
         let explanation = row.explanation.get_or_insert_default();
         let objects = row.objects.iter();
@@ -67,19 +73,20 @@ fn complete(program: &Program, world: World<f64>, verdict: &mut CheckVerdict, ho
 }
 
 /// Moves after which `rows` of a verdict hold, the best first: what [`check`] offers for one of them. The first may break
-/// something; then [`SmallestMove::breaks`] says so, and there is no other.
+/// something; then [`SmallestMove::breaks`] says so, and there is no other. What is `locked` stays where it is.
 pub fn moves_for(
     program: &Program,
     layout: &Layout,
     options: &Options,
     verdict: &CheckVerdict,
     rows: &[RowRef],
+    locked: &[ObjectId],
 ) -> Vec<SmallestMove> {
     if too_dense(verdict) {
         return Vec::new();
     }
     let world = World::new(program, layout, options);
-    MoveFinder::new(program, world, failing(verdict), usize::MAX).choices(rows)
+    MoveFinder::new(program, world, failing(verdict), usize::MAX).locking(locked).choices(rows)
 }
 
 /// Whether so much is in one place that not all of it was judged.

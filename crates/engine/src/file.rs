@@ -4,7 +4,7 @@ use crate::explain::check_at;
 use scenelang_base::door::Door;
 use scenelang_base::{Diagnostic, SourceFile, SourceMap, codes};
 use scenelang_lang::compile::{self, Compiled, compile_with};
-use scenelang_lang::program::Program;
+use scenelang_lang::program::{ObjectId, Program};
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_verify::check::{matching, rooms};
@@ -162,8 +162,13 @@ impl Unfinished {
 /// Judges a layout as it was read, by a program that is compiled already. Among the diagnostics is what does not match
 /// between the two; what is wrong with the layout file by itself is not.
 pub fn check_read(program: &Program, read: &ReadLayout, options: &Options) -> CheckVerdict {
+    check_read_locked(program, read, options, &[])
+}
+
+/// The same; no move that is offered moves what is `locked`.
+pub fn check_read_locked(program: &Program, read: &ReadLayout, options: &Options, locked: &[ObjectId]) -> CheckVerdict {
     let mut found = matching::check(program, read);
-    let mut verdict = check_at(program, &read.layout, Some(&read.places), options);
+    let mut verdict = check_at(program, &read.layout, Some(&read.places), options, locked);
     found.append(&mut verdict.diagnostics);
     verdict.diagnostics = found;
     verdict

@@ -37,7 +37,8 @@ pub use batch::Batch;
 pub use clock::Instant;
 pub use explain::{check, moves_for};
 pub use file::{
-    check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, program_of,
+    check_file, check_file_with, check_layout_of, check_layout_text, check_program, check_read, check_read_locked,
+    program_of,
 };
 pub use index::{Index, Reads};
 pub use live::Live;

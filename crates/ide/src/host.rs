@@ -2,10 +2,11 @@
 
 use scenelang_analysis::{Judging, silence};
 use scenelang_base::{Diagnostic, FileId, SourceFile, SourceMap, Span, codes};
-use scenelang_engine::check_read;
+use scenelang_engine::{check_read, check_read_locked};
 use scenelang_lang::Program;
 use scenelang_lang::db::{Analysis, Cancelled};
 use scenelang_lang::hir::Meanings;
+use scenelang_lang::program::{Object, ObjectId};
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{ReadLayout, file as layout_file};
 use scenelang_verify::{CheckVerdict, Explain};
@@ -32,6 +33,8 @@ struct Known {
     main: FileId,
     layout: Option<Arc<LayoutFile>>,
     judging: Arc<Judging>,
+    /// Objects, or arrays of them, that no move which is offered moves.
+    locks: Arc<[String]>,
     /// What follows from these, as far as somebody asked.
     compiled: Arc<Memo<Compiled>>,
     judged: Arc<Memo<Judged>>,
@@ -84,6 +87,7 @@ impl Host {
             main,
             layout: None,
             judging: Arc::default(),
+            locks: Arc::default(),
             compiled: Arc::default(),
             judged: Arc::default(),
             explained: Arc::default(),
@@ -127,6 +131,14 @@ impl Host {
         if *self.known.judging != judging {
             self.known.judging = Arc::new(judging);
             self.forget();
+        }
+    }
+
+    /// From now on no move is offered of these objects, or arrays of them.
+    pub fn set_locks(&mut self, locks: &[String]) {
+        if *self.known.locks != *locks {
+            self.known.locks = locks.into();
+            self.known.explained = Arc::default();
         }
     }
 
@@ -176,6 +188,12 @@ impl Snapshot {
     /// How its layout is judged.
     pub fn judging(&self) -> &Judging {
         &self.known.judging
+    }
+    /// The objects of a program that are locked.
+    pub fn locked(&self, program: &Program) -> Vec<ObjectId> {
+        let is_locked = |object: &Object| self.known.locks.iter().any(|name| object.is_meant_by(name));
+        let objects = (0..).map(ObjectId).zip(&program.objects);
+        objects.filter(|(_, object)| is_locked(object)).map(|(id, _)| id).collect()
     }
     /// The front end.
     pub fn analysis(&self) -> &Analysis {
@@ -250,7 +268,8 @@ impl Snapshot {
                 let mut options = self.known.judging.options;
                 options.detail.sentences = true;
                 options.physics &= compiled.complete;
-                Ok(check_read(&compiled.program, &layout.read, &options))
+                let locked = self.locked(&compiled.program);
+                Ok(check_read_locked(&compiled.program, &layout.read, &options, &locked))
             })
             .map(Some)
     }

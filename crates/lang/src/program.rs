@@ -83,6 +83,13 @@ pub struct Object {
     pub requirements: Vec<String>,
 }
 
+impl Object {
+    /// Whether a name stands for it: its own, or that of the array it is an element of.
+    pub fn is_meant_by(&self, name: &str) -> bool {
+        self.name == name || self.array.as_ref().is_some_and(|(array, _)| array == name)
+    }
+}
+
 /// A region: a prism over a floor polygon.
 #[derive(Clone, Debug)]
 pub struct Region {

@@ -47,6 +47,16 @@ struct Argument {
     /// Objects, or arrays of them, that alone may move; none: all may.
     #[serde(default)]
     only: Vec<String>,
+    /// Whether a repair is answered, to be shown before it is made, instead of made.
+    #[serde(default)]
+    propose: bool,
+}
+
+/// `scenelang/lock`: the objects of a program, or arrays of them, that stay where they are from now on, all of them.
+#[derive(Deserialize)]
+pub struct Locks {
+    pub uri: Uri,
+    pub objects: Vec<String>,
 }
 
 impl State {
@@ -63,32 +73,28 @@ impl State {
         if command == "scenelang.view" {
             return self.view(id, first);
         }
-        let Argument { uri, seed, line, object, lock, only } = params(first)?;
-        let uri = uri.as_str();
-        let apply = Box::new(|state: &mut State, id: &Id, outcome| state.apply(id, outcome));
+        let Argument { uri: program, seed, line, object, lock, only, propose } = params(first)?;
+        let uri = program.as_str();
+        let hold = Hold { lock, only };
+        let shown_in = program.clone();
+        let apply = Box::new(
+            move |state: &mut State, id: &Id, outcome| {
+                if propose { state.propose(id, shown_in, outcome) } else { state.apply(id, outcome) }
+            },
+        );
         match command.as_str() {
             "scenelang.check" => {
                 self.prove_now(uri);
                 self.begin(id, uri, "Checking", token, check, apply)
             }
-            "scenelang.solve" => self.begin(
-                id,
-                uri,
-                "Solving",
-                token,
-                move |job| solve(job, seed, Start::Layout, &Hold { lock, only }),
-                apply,
-            ),
-            "scenelang.solveAnew" => self.begin(
-                id,
-                uri,
-                "Solving anew",
-                token,
-                move |job| solve(job, seed, Start::Nothing, &Hold { lock, only }),
-                apply,
-            ),
+            "scenelang.solve" => {
+                self.begin(id, uri, "Solving", token, move |job| solve(job, seed, Start::Layout, &hold), apply)
+            }
+            "scenelang.solveAnew" => {
+                self.begin(id, uri, "Solving anew", token, move |job| solve(job, seed, Start::Nothing, &hold), apply)
+            }
             "scenelang.alternatives" => {
-                let list = move |job: &Job| alternatives(job, seed.unwrap_or(1), &Hold { lock, only });
+                let list = move |job: &Job| alternatives(job, seed.unwrap_or(1), &hold);
                 let answer = Box::new(|state: &mut State, id: &Id, found: Alternatives| state.reply(id, sent(found)));
                 self.begin(id, uri, "Looking for alternatives", token, list, answer)
             }
@@ -98,12 +104,12 @@ impl State {
                 self.begin(id, uri, "Placing", token, move |job| place(job, &object), apply)
             }
             "scenelang.repairAll" => {
-                let all = move |job: &Job| repair::repair(job, &Wanted::All, &lock);
+                let all = move |job: &Job| repair::repair(job, &Wanted::All, &hold);
                 self.begin(id, uri, "Repairing", token, all, apply)
             }
             _ => {
                 let line = line.ok_or_else(|| Fault::Invalid("the command does not say which line".to_owned()))?;
-                let one = move |job: &Job| repair::repair(job, &Wanted::Line(line), &lock);
+                let one = move |job: &Job| repair::repair(job, &Wanted::Line(line), &hold);
                 self.begin(id, uri, "Repairing", token, one, apply)
             }
         }
@@ -121,7 +127,7 @@ fn check(job: &Job) -> Result<JobOutcome, Fault> {
     let layout = layout.ok_or_else(|| Fault::Failed("there is no layout to check; solve first".to_owned()))?;
     let verdict = job.verdict(&layout.read.layout, 0);
     let count @ [holds, total] = count(&verdict);
-    Ok(JobOutcome { layout: None, edit: None, message: format!("{holds} of {total} hold"), count })
+    Ok(JobOutcome { layout: None, edit: None, message: format!("{holds} of {total} hold"), count, moves: Vec::new() })
 }
 
 /// Where solving begins.
@@ -133,7 +139,8 @@ enum Start {
     Nothing,
 }
 
-/// What stays where it is.
+/// What stays where it is, besides what the user has locked in the editor.
+#[derive(Default)]
 pub struct Hold {
     lock: Vec<String>,
     only: Vec<String>,
@@ -155,28 +162,30 @@ impl Hold {
     }
 
     /// The objects that stay.
-    fn objects(&self, job: &Job) -> Result<Vec<ObjectId>, Fault> {
+    ///
+    /// # Errors
+    /// As [`Self::anew`].
+    pub fn objects(&self, job: &Job) -> Result<Vec<ObjectId>, Fault> {
         let program = &job.compiled.program;
-        let named =
-            |name: &String, o: &Object| o.name == *name || o.array.as_ref().is_some_and(|(array, _)| array == name);
-        if self.lock.is_empty() && self.only.is_empty() {
-            return Ok(Vec::new());
-        }
-        let layout = layout_of(job);
-        let layout = layout.ok_or_else(|| {
-            Fault::Failed("there is no layout whose objects could be kept in place; solve first".to_owned())
-        })?;
-        if let Some(name) =
-            self.lock.iter().chain(&self.only).find(|name| !program.objects.iter().any(|o| named(name, o)))
-        {
+        let layout = match layout_of(job) {
+            Some(layout) => layout,
+            // What has no place yet cannot stay there.
+            None if self.lock.is_empty() && self.only.is_empty() => return Ok(Vec::new()),
+            None => {
+                let why = "there is no layout whose objects could be kept in place; solve first";
+                return Err(Fault::Failed(why.to_owned()));
+            }
+        };
+        let known = |name: &String| program.objects.iter().any(|o| o.is_meant_by(name));
+        if let Some(name) = self.lock.iter().chain(&self.only).find(|name| !known(name)) {
             return Err(Fault::Failed(format!("the program has no `{name}`")));
         }
         let objects = (0..).map(ObjectId).zip(&program.objects);
-        let stays = |o: &Object| {
-            let any = |names: &[String]| names.iter().any(|name| named(name, o));
-            any(&self.lock) || !self.only.is_empty() && !any(&self.only)
+        let stays = |id: ObjectId, o: &Object| {
+            let any = |names: &[String]| names.iter().any(|name| o.is_meant_by(name));
+            job.locked.contains(&id) || any(&self.lock) || !self.only.is_empty() && !any(&self.only)
         };
-        Ok(objects.filter(|(_, o)| stays(o) && layout.object(&o.name).is_some()).map(|(id, _)| id).collect())
+        Ok(objects.filter(|(id, o)| stays(*id, o) && layout.object(&o.name).is_some()).map(|(id, _)| id).collect())
     }
 }
 
@@ -226,7 +235,7 @@ fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<JobO
     let change = job.change(Some(&edit), &[], "");
     let same = if change.is_none() && edit.old.is_some() { ", with everything where it was" } else { "" };
     let message = format!("solved: {holds} of {total} hold{same}{without}");
-    Ok(JobOutcome { layout: Some(edit), edit: change, message, count })
+    Ok(JobOutcome { layout: Some(edit), edit: change, message, count, moves: Vec::new() })
 }
 
 /// Finds a place for an object, or for the elements of an array, that the layout does not have yet; all others stay where
@@ -238,7 +247,7 @@ fn place(job: &Job, object: &str) -> Result<JobOutcome, Fault> {
     }
     let layout = layout_of(job);
     let layout = layout.ok_or_else(|| Fault::Failed("there is no layout to place it in; solve first".to_owned()))?;
-    let own = |o: &Object| o.name == object || o.array.as_ref().is_some_and(|(array, _)| array == object);
+    let own = |o: &Object| o.is_meant_by(object);
     let (mut known, mut placed) = (false, layout.clone());
     for object in program.objects.iter().filter(|o| own(o)) {
         known = true;
@@ -274,7 +283,7 @@ fn place(job: &Job, object: &str) -> Result<JobOutcome, Fault> {
     let edit = job.layout_edit(&after)?;
     let message = format!("placed `{object}`: {holds} of {total} hold");
     let change = job.change(Some(&edit), &[], &message);
-    Ok(JobOutcome { layout: Some(edit), edit: change, message, count })
+    Ok(JobOutcome { layout: Some(edit), edit: change, message, count, moves: Vec::new() })
 }
 
 /// Tells how far the solver is, and ends it when nobody wants the result.

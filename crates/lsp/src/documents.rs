@@ -90,6 +90,8 @@ pub struct Documents {
     open: BTreeMap<String, OpenDocument>,
     /// Texts that the editor was given to write into files, and has not said since what became of them.
     assumed: BTreeMap<PathBuf, Arc<Text>>,
+    /// By address of a program: objects, or arrays of them, that stay where they are.
+    locks: BTreeMap<String, Vec<String>>,
     /// The last generation of any program.
     generation: u64,
     /// The folders of the workspace.
@@ -120,7 +122,8 @@ impl Documents {
             let document = &self.open[&key];
             let name = name_of(&path);
             // What it imports is read soon.
-            let host = Host::new(&name, &path, document.text.as_str(), &Shelved::new(None, &BTreeMap::new()));
+            let mut host = Host::new(&name, &path, document.text.as_str(), &Shelved::new(None, &BTreeMap::new()));
+            host.set_locks(self.locks.get(&key).map_or(&[], Vec::as_slice));
             let layout = if is_file(&document.uri) { layout_of(&path, config) } else { None };
             let scene = OpenScene {
                 host,
@@ -151,6 +154,18 @@ impl Documents {
             }
         }
         self.touched(&path, &key);
+    }
+
+    /// From now on these objects of a program, or arrays of them, stay where they are, whether it is open or not.
+    pub fn lock(&mut self, uri: &str, objects: Vec<String>) {
+        if let Some(scene) = self.open.get_mut(uri).and_then(|document| document.scene.as_mut()) {
+            scene.host.set_locks(&objects);
+        }
+        if objects.is_empty() {
+            self.locks.remove(uri);
+        } else {
+            self.locks.insert(uri.to_owned(), objects);
+        }
     }
 
     /// Closes a document; whether it was open.

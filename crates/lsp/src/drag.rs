@@ -142,7 +142,11 @@ impl State {
         let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
         let message = format!("move {object}");
         let edit = (!edits.is_empty()).then_some(edit);
-        self.apply_with(id, JobOutcome { layout: Some(layout), edit, message, count: [0, 0] }, answer);
+        self.apply_with(
+            id,
+            JobOutcome { layout: Some(layout), edit, message, count: [0, 0], moves: Vec::new() },
+            answer,
+        );
         Ok(())
     }
 }

@@ -13,7 +13,9 @@ use scenelang_base::owned::{self, Standing};
 use scenelang_base::{Edit, FileId, SourceMap};
 use scenelang_engine::check_read;
 use scenelang_export::scene::Memory;
+use scenelang_ide::actions::Ghost;
 use scenelang_ide::{Compiled, LayoutFile};
+use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_verify::settings::Llm;
 use scenelang_verify::{CheckVerdict, Explain};
@@ -48,6 +50,8 @@ pub struct Job {
     /// Where everything is in the room that is shown as long as there is no layout.
     pub provisional: Option<Arc<Layout>>,
     pub judging: Judging,
+    /// Objects that the user has locked.
+    pub locked: Vec<ObjectId>,
     /// Which language model is asked.
     pub llm: Llm,
     /// Open texts, then the disk.
@@ -156,6 +160,8 @@ pub struct JobOutcome {
     pub message: String,
     /// How many constraints hold afterwards, of how many.
     pub count: [usize; 2],
+    /// Where objects are afterwards, if that is shown before.
+    pub moves: Vec<Ghost>,
 }
 
 /// Says how far long work is.
@@ -214,6 +220,42 @@ struct Done {
     /// How many constraints hold afterwards, of how many.
     holds: usize,
     total: usize,
+}
+
+/// What a repair answers that is only proposed.
+#[derive(Serialize)]
+struct Proposal {
+    /// What would be done: a title, then a line for each margin that changes.
+    message: String,
+    /// How many constraints would hold, of how many.
+    holds: usize,
+    total: usize,
+    /// null: there is nothing to do.
+    edit: Option<WorkspaceChange>,
+    #[serde(flatten)]
+    shown: Shown,
+}
+
+/// Where a change would put objects of a program: for a picture of it before it is made.
+#[derive(Serialize)]
+pub struct Shown {
+    uri: Uri,
+    moves: Vec<Moved>,
+}
+
+/// Where an object stands afterwards.
+#[derive(Serialize)]
+struct Moved {
+    object: String,
+    pos: [f64; 3],
+    rot: [f64; 3],
+}
+
+impl Shown {
+    pub fn new(uri: Uri, moves: &[Ghost]) -> Self {
+        let moved = |m: &Ghost| Moved { object: m.object.clone(), pos: m.pos.into(), rot: m.rot.into() };
+        Self { uri, moves: moves.iter().map(moved).collect() }
+    }
 }
 
 /// Parameters of `workspace/applyEdit`.
@@ -313,6 +355,13 @@ impl State {
         }
     }
 
+    /// Answers with the change of an outcome, which the client shows, and makes if it is wanted.
+    pub fn propose(&mut self, id: &Id, uri: Uri, outcome: JobOutcome) {
+        let [holds, total] = outcome.count;
+        let JobOutcome { message, edit, moves, .. } = outcome;
+        self.reply(id, sent(Proposal { message, holds, total, edit, shown: Shown::new(uri, &moves) }));
+    }
+
     /// Asks the client to make the change of an outcome, and answers then.
     pub fn apply(&mut self, id: &Id, outcome: JobOutcome) {
         let [holds, total] = outcome.count;
@@ -385,6 +434,7 @@ fn job_of(
     let files = files.of(&path);
     let llm = settings.settings.llm.clone();
     let judging = snapshot.judging().clone();
+    let locked = snapshot.locked(&compiled.program);
     let layout = snapshot.layout_file();
     let (sources, main) = snapshot.into_sources();
     Ok(Job {
@@ -396,6 +446,7 @@ fn job_of(
         layout_path,
         provisional,
         judging,
+        locked,
         llm,
         files,
         stop,

@@ -2,13 +2,14 @@
 //! which margins it changes.
 
 use crate::advised::advised;
-use crate::commands::count;
+use crate::commands::{Hold, count};
 use crate::dispatch::Fault;
 use crate::jobs::{Job, JobOutcome};
 use scenelang_base::{SourceFile, SourceMap};
+use scenelang_ide::actions::Ghost;
 use scenelang_ide::diagnostics::margin;
 use scenelang_lang::Program;
-use scenelang_lang::program::{Object, ObjectId};
+use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
 use scenelang_solve::repair::told::title;
@@ -30,16 +31,14 @@ pub enum Wanted {
     Program(u32),
 }
 
-/// So many ways are looked at where some may move what is locked.
-const AMONG_LOCKED: usize = 12;
 /// Budgets of work, small ones first, so that a change of mind is noticed between them.
 const BUDGETS: [u64; 3] = [20_000_000, 60_000_000, 200_000_000];
 
-/// Looks for the best way, with a language model first if there is one. What is locked, objects or arrays, is not moved.
+/// Looks for the best way, with a language model first if there is one. What is held is not moved.
 ///
 /// # Errors
 /// There is nothing to repair, or no way was found.
-pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<JobOutcome, Fault> {
+pub fn repair(job: &Job, wanted: &Wanted, hold: &Hold) -> Result<JobOutcome, Fault> {
     if let Some(finding) = scenelang_synth::too_large(&job.compiled.program) {
         return Err(Fault::Failed(finding.message));
     }
@@ -55,17 +54,13 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<JobOutcome,
             edit: None,
             message: "nothing to repair".to_owned(),
             count: count(&before),
+            moves: Vec::new(),
         });
     }
+    let locked = hold.objects(job)?;
     let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
-    let locked = |found: &Alternative| {
-        let objects = found.moves.iter().filter_map(|moved| job.compiled.program.objects.get(moved.object.0 as usize));
-        let is =
-            |o: &&Object| lock.iter().any(|name| o.name == *name || o.array.as_ref().is_some_and(|(a, _)| a == name));
-        objects.into_iter().find(is).map(|o| o.name.to_string())
-    };
-    let mut kept = None;
-    if let Some(found) = asked.filter(|found| locked(found).is_none()) {
+    let obeys = |found: &Alternative| !found.moves.iter().any(|moved| locked.contains(&moved.object));
+    if let Some(found) = asked.filter(obeys) {
         return offer(job, layout, &before, &found, PROPOSED);
     }
     let text = Text {
@@ -82,24 +77,25 @@ pub fn repair(job: &Job, wanted: &Wanted, lock: &[String]) -> Result<JobOutcome,
         }
         job.progress.say(&format!("looking for the smallest change, round {}", round + 1));
         let (judge, stop) = (job.judging.options, job.stop.clone());
-        let alternatives = if lock.is_empty() { RepairOptions::default().alternatives } else { AMONG_LOCKED };
-        let options = RepairOptions { budget, judge, stop, alternatives, ..RepairOptions::default() };
+        let options = RepairOptions { budget, judge, stop, locked: locked.clone(), ..RepairOptions::default() };
         let unjudged = |_| Fault::Failed("the layout cannot be checked completely; its diagnostics say why".to_owned());
         let found = look(&damaged, &which, &options).map_err(unjudged)?;
         // An assertion is weakened only by an action that says so.
         let how = if matches!(wanted, Wanted::Program(_)) { How::Numbers } else { How::Moves };
-        let mut ways = found.alternatives.iter().filter(|a| a.how == how);
-        if let Some(chosen) = ways.clone().find(|a| locked(a).is_none()) {
+        if let Some(chosen) = found.alternatives.iter().find(|a| a.how == how) {
             return offer(job, layout, &before, chosen, "");
         }
-        kept = kept.or_else(|| ways.find_map(locked));
         if let Some(contradiction) = found.contradiction.filter(|_| how == How::Moves) {
             return Err(Fault::Failed(refusal(job, &contradiction)));
         }
     }
     Err(Fault::Failed(match wanted {
-        _ if kept.is_some() => format!("each repair that was found moves `{}`, which is locked", kept.unwrap_or_default()),
         Wanted::Program(_) => "no number was found whose change would repair it".to_owned(),
+        _ if !locked.is_empty() => {
+            let names = locked.iter().map(|id| format!("`{}`", job.compiled.program.objects[id.0 as usize].name));
+            let names = names.collect::<Vec<_>>().join(", ");
+            format!("no move was found that repairs it and leaves what is locked in place: {names}")
+        }
         _ => "no move was found that repairs it, which is not a proof that none exists; the program can be changed instead".to_owned(),
     }))
 }
@@ -222,7 +218,12 @@ fn offer(
     let margins = margins(&job.compiled.program, before, &after);
     let note = if margins.is_empty() { message } else { format!("{message}\n{}", margins.join("\n")) };
     let change = job.change(edit.as_ref(), &chosen.edits, &note);
-    Ok(JobOutcome { layout: edit, edit: change, message: note, count: count(&after) })
+    let ghost = |m: &Moved| {
+        let object = job.compiled.program.objects[m.object.0 as usize].name.to_string();
+        Ghost { object, pos: m.to.pos, rot: m.to.rot }
+    };
+    let moves = chosen.moves.iter().map(ghost).collect();
+    Ok(JobOutcome { layout: edit, edit: change, message: note, count: count(&after), moves })
 }
 
 /// What holds after a change of layout and program.

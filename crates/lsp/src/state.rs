@@ -3,6 +3,7 @@
 
 use crate::beside::{Beside, Show};
 use crate::client::Client;
+use crate::commands::Locks;
 use crate::config::Config;
 use crate::dispatch::{Context, Fault, sent};
 use crate::documents::{Documents, OpenDocument};
@@ -361,6 +362,9 @@ impl State {
             (Phase::Running, "textDocument/didChange") => self.with(params, Self::changed),
             (Phase::Running, "textDocument/didClose") => self.with(params, |s, p| s.closed(&p)),
             (Phase::Running, "textDocument/didSave") => self.with(params, |s, p| s.saved(&p)),
+            (Phase::Running, "scenelang/lock") => {
+                self.with(params, |s, p: Locks| s.documents.lock(p.uri.as_str(), p.objects))
+            }
             (Phase::Running, "workspace/didChangeConfiguration") => self.configured(&params),
             (Phase::Running, "workspace/didChangeWatchedFiles") => self.with(params, |s, p| s.watched(&p)),
             (Phase::Running, "workspace/didChangeWorkspaceFolders") => self.with(params, |s, p| s.folders(&p)),

@@ -33,14 +33,14 @@ pub fn repaired(program: &Program, layout: &Layout, placed: &Placed, options: &O
         budget: WORK,
         time: options.time.map(|time| time / 2),
         stop: options.stop.clone(),
+        locked: options.locked.clone(),
         alternatives: 1,
         judge: options.judge,
     };
     let found = repair(&Damaged { program, layout, text: None }, &Which::All, &how).ok()?;
     let best = found.alternatives.into_iter().find(|a| a.how == How::Moves)?;
-    let free = best.moves.iter().all(|m| !options.locked.contains(&m.object));
     let moved = moved(layout, &best.layout);
-    free.then_some(Repaired { layout: best.layout, moved })
+    Some(Repaired { layout: best.layout, moved })
 }
 
 /// How many objects are not where they were.

@@ -21,7 +21,7 @@ impl Hold<'_> {
     ///
     /// # Errors
     /// A name stands for nothing, or an object has no place to be held at.
-    pub(crate) fn objects(self, program: &Program, start: Option<&Layout>) -> Result<Vec<ObjectId>, Box<Diagnostic>> {
+    pub fn objects(self, program: &Program, start: Option<&Layout>) -> Result<Vec<ObjectId>, Box<Diagnostic>> {
         let (names, given) = match self {
             Self::Nothing => return Ok(Vec::new()),
             Self::These(names) => (names, true),
@@ -31,7 +31,7 @@ impl Hold<'_> {
         for name in names {
             let mut found = false;
             for (object, named) in program.objects.iter().zip(&mut named) {
-                let own = object.name == *name || object.array.as_ref().is_some_and(|(array, _)| array == name);
+                let own = object.is_meant_by(name);
                 *named |= own;
                 found |= own;
             }

@@ -5,7 +5,6 @@ import { existsSync, readdirSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import * as vscode from "vscode";
 import { showAlternatives } from "./alternatives.js";
-import { speaksOf } from "./groups.js";
 import type { Locks } from "./locks.js";
 import type { Alternative, Done } from "./protocol.js";
 import { type Result, results } from "./results.js";
@@ -37,8 +36,19 @@ export class Commands {
     const target = this.target(uri);
     if (target === null) return;
     try {
-      const done = await this.server.ask<Done | null>("workspace/executeCommand", { command, arguments: [{ uri: target.toString(), ...this.lock(target), ...more }] });
+      const done = await this.server.ask<Done | null>("workspace/executeCommand", { command, arguments: [{ uri: target.toString(), ...more }] });
       if (done !== null) say(done.holds === done.total, done.message);
+    } catch (error) {
+      if (!isCancelled(error)) say(false, reason(error));
+    }
+  }
+
+  /** Repairs whatever fails, once it was shown. */
+  async repair(): Promise<void> {
+    const target = this.target();
+    if (target === null) return;
+    try {
+      await this.server.repair("scenelang.repairAll", { uri: target.toString() });
     } catch (error) {
       if (!isCancelled(error)) say(false, reason(error));
     }
@@ -58,7 +68,7 @@ export class Commands {
     const target = this.target(uri);
     if (target === null) return;
     try {
-      const { alternatives } = await this.server.ask<{ alternatives: readonly Alternative[] }>("workspace/executeCommand", { command: "scenelang.alternatives", arguments: [{ uri: target.toString(), ...this.lock(target) }] });
+      const { alternatives } = await this.server.ask<{ alternatives: readonly Alternative[] }>("workspace/executeCommand", { command: "scenelang.alternatives", arguments: [{ uri: target.toString() }] });
       showAlternatives(`Alternatives ${basename(target.path)}`, alternatives, (seed) => this.serve("scenelang.solveAnew", target, { seed }));
     } catch (error) {
       if (!isCancelled(error)) say(false, reason(error));
@@ -69,14 +79,6 @@ export class Commands {
   setLock(object: string, locked: boolean, uri?: string): void {
     const target = this.target(uri);
     if (target !== null) this.locks.set(target.toString(), object, locked);
-  }
-
-  /** What is locked, as far as the program still has it. */
-  lock(target: vscode.Uri): { readonly lock?: readonly string[] } {
-    const uri = target.toString();
-    const known = this.scenes.get(uri)?.objects ?? [];
-    const lock = this.locks.of(uri).filter((object) => known.some(({ name }) => speaksOf(object, name)));
-    return lock.length > 0 ? { lock } : {};
   }
 
   /** Solves and builds everything into a folder. */
@@ -161,10 +163,15 @@ export class Commands {
 /** The exporters of `scenelang export --only`. */
 const EXPORTS: readonly vscode.QuickPickItem[] = [
   { label: "glb", description: "glTF, one binary file", picked: true },
-  { label: "unity", description: "a Unity project" },
+  { label: "unity", description: "a Unity project", picked: true },
   { label: "plan", description: "a floor plan, SVG and PNG" },
-  { label: "picture", description: "a picture, PNG" },
+  { label: "picture", description: "a picture, PNG", picked: true },
   { label: "preview", description: "a page with the room and every constraint" },
+  { label: "mjcf", description: "MuJoCo" },
+  { label: "sdf", description: "Gazebo" },
+  { label: "usd", description: "OpenUSD, as text" },
+  { label: "usdz", description: "OpenUSD, one file" },
+  { label: "obj", description: "Wavefront OBJ" },
 ];
 
 function lastLine(text: string): string {

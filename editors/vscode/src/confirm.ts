@@ -8,8 +8,10 @@ const SCHEME = "scenelang-repaired";
 const COMMAND = "scenelang.confirmRepair";
 
 /** A change that waits for its confirmation. */
-interface Waiting {
+export interface Waiting {
   readonly title: string;
+  /** Which margins it changes, in words. */
+  readonly margins: readonly string[];
   readonly edit: vscode.WorkspaceEdit;
   readonly shown: Shown | null;
 }
@@ -31,11 +33,11 @@ export class Confirmations implements vscode.TextDocumentContentProvider, vscode
   }
 
   /** The command that asks, and then makes the change. */
-  command(title: string, edit: vscode.WorkspaceEdit, shown: Shown | null): vscode.Command {
+  command(waiting: Waiting): vscode.Command {
     // Of a menu that was closed nothing is ever asked; a few are enough.
     for (const old of [...this.waiting.keys()].slice(0, -20)) this.waiting.delete(old);
-    this.waiting.set(++this.last, { title, edit, shown });
-    return { command: COMMAND, title, arguments: [this.last] };
+    this.waiting.set(++this.last, waiting);
+    return { command: COMMAND, title: waiting.title, arguments: [this.last] };
   }
 
   dispose(): void {
@@ -45,8 +47,13 @@ export class Confirmations implements vscode.TextDocumentContentProvider, vscode
   private async run(id: number): Promise<void> {
     const waiting = this.waiting.get(id);
     if (waiting === undefined) return;
-    const { title, edit, shown } = waiting;
     this.waiting.delete(id);
+    await this.ask(waiting);
+  }
+
+  /** Shows a change, and makes it if it is wanted. */
+  async ask({ title, margins, edit, shown }: Waiting): Promise<void> {
+    const id = ++this.last;
     const documents = await Promise.all(edit.entries().map(([uri]) => vscode.workspace.openTextDocument(uri)));
     const versions = documents.map(({ version }) => version);
     const differences = edit.entries().map(([uri, edits], i) => {
@@ -59,7 +66,7 @@ export class Confirmations implements vscode.TextDocumentContentProvider, vscode
       await vscode.commands.executeCommand("vscode.diff", uri, after, `${title}: ${uri.path.split("/").at(-1) ?? ""}`, { preview: true, preserveFocus: true, viewColumn: vscode.ViewColumn.One });
     }
     // A notification would go away by itself.
-    const chosen = await vscode.window.showQuickPick([{ label: "Apply", description: title }, { label: "Cancel" }], { title: `${title}?`, placeHolder: "The difference is shown below", ignoreFocusOut: true });
+    const chosen = await vscode.window.showQuickPick([{ label: "Apply", description: title, detail: margins.join(" · ") }, { label: "Cancel" }], { title: `${title}?`, placeHolder: "The difference is shown below", ignoreFocusOut: true });
     const ours = ({ input }: vscode.Tab) => input instanceof vscode.TabInputTextDiff && differences.some(({ after }) => input.modified.toString() === after.toString());
     await vscode.window.tabGroups.close(vscode.window.tabGroups.all.flatMap(({ tabs }) => tabs.filter(ours)));
     for (const { after } of differences) this.texts.delete(after.toString());

@@ -20,14 +20,13 @@ let server: Server | null = null;
 export function activate(context: vscode.ExtensionContext): void {
   const keys = new Keys(context.secrets);
   const confirmations = new Confirmations();
-  server = new Server(context, keys, confirmations);
+  const locks = new Locks(context.workspaceState);
+  server = new Server(context, keys, confirmations, locks);
   const running = server;
   const scenes = new Scenes(running);
   const previews = new Previews(context.extensionUri, scenes, running, confirmations);
   const forms = new Forms(running);
-  const locks = new Locks(context.workspaceState);
   const commands = new Commands(running, scenes, locks);
-  running.locked = (program) => commands.lock(program);
   const requests = new Requests();
   const start = new Start(context, running, commands, previews, requests);
 
@@ -58,7 +57,7 @@ export function activate(context: vscode.ExtensionContext): void {
     on("newScene", () => start.create()),
     on("describeScene", () => start.describe()),
     on("openExample", () => start.example()),
-    on("repairScene", () => commands.serve("scenelang.repairAll")),
+    on("repairScene", () => commands.repair()),
     on("synthScene", (uri?: vscode.Uri) => commands.synth(uri)),
     on("exportScene", (uri?: vscode.Uri) => commands.export(uri)),
     on("showForms", async (uri?: vscode.Uri) => {

@@ -1,5 +1,7 @@
 // What the server offers beyond the protocol of language servers. Positions are the protocol's: lines and UTF-16 units from 0.
 
+import type { WorkspaceEdit } from "vscode-languageclient";
+
 export interface Position {
   readonly line: number;
   readonly character: number;
@@ -76,6 +78,13 @@ export interface Done {
   readonly message: string;
   readonly holds: number;
   readonly total: number;
+}
+
+/** `scenelang/lock` {uri, objects}, a notification: all that stays where it is in a program, from now on. */
+
+/** What `scenelang.repair` and `.repairAll` answer with `propose`: a repair that is not made yet. */
+export interface Proposal extends Done, Shown {
+  readonly edit: WorkspaceEdit | null;
 }
 
 /** `scenelang/languageModel`, asked by the server. */

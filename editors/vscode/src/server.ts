@@ -7,11 +7,12 @@ import type { Confirmations } from "./confirm.js";
 import { type Choice, choice, environment } from "./environment.js";
 import type { Keys } from "./keys.js";
 import { type Located, locate } from "./locate.js";
+import type { Locks } from "./locks.js";
 import { askEditor } from "./model.js";
-import type { Changed, Done, Question, Shown } from "./protocol.js";
+import type { Changed, Done, Proposal, Question, Shown } from "./protocol.js";
 
-/** Commands that move objects. */
-const MOVING = new Set(["scenelang.solve", "scenelang.solveAnew", "scenelang.repair", "scenelang.repairAll", "scenelang.alternatives"]);
+/** Commands whose change is shown before it is made. */
+const REPAIRS = ["scenelang.repair", "scenelang.repairAll"];
 /** Which of the settings the server is started with; of the others it is told while it runs. */
 const AT_START = ["scenelang.server.path", "scenelang.languageModel", "scenelang.model.name", "scenelang.model.baseUrl"];
 
@@ -40,17 +41,16 @@ export class Server implements vscode.Disposable {
     private readonly context: vscode.ExtensionContext,
     private readonly keys: Keys,
     private readonly confirmations: Confirmations,
+    private readonly locks: Locks,
   ) {
     this.subscriptions = [
+      locks.onChanged((program) => this.tellLocks(program)),
       vscode.workspace.onDidChangeConfiguration((e) => AT_START.some((name) => e.affectsConfiguration(name)) && void this.restart()),
       // What a folder may say, and what may be told to it, depends on trust.
       vscode.workspace.onDidGrantWorkspaceTrust(() => void this.restart()),
       context.secrets.onDidChange(() => void this.restart()),
     ];
   }
-
-  /** What stays where it is when the server moves objects. */
-  locked: (program: vscode.Uri) => { readonly lock?: readonly string[] } = () => ({});
 
   get running(): boolean {
     // One that has crashed too often is not started again, and nobody but the client says so.
@@ -109,6 +109,15 @@ export class Server implements vscode.Disposable {
     return this.client.sendRequest<T>(method, params);
   }
 
+  /** Asks for a repair, shows it, and makes it if it is wanted. */
+  async repair(command: string, target: { readonly uri?: string }): Promise<void> {
+    const found = await this.ask<Proposal>("workspace/executeCommand", { command, arguments: [{ ...target, propose: true }] });
+    const edit = found.edit === null ? undefined : await this.client?.protocol2CodeConverter.asWorkspaceEdit(found.edit);
+    const [title = "", ...margins] = found.message.split("\n");
+    if (edit === undefined) return say(found.holds === found.total, title);
+    await this.confirmations.ask({ title: title.charAt(0).toUpperCase() + title.slice(1), margins, edit, shown: found });
+  }
+
   /** The program, or nothing, in which case the user has been told. */
   program(): string | null {
     const located = this.locate();
@@ -147,11 +156,14 @@ export class Server implements vscode.Disposable {
     client.onRequest("scenelang/languageModel", (question: Question, token: vscode.CancellationToken) => askEditor(question, token));
     client.onDidChangeState(({ newState }) => {
       // A server that has crashed is started again by the client, up to five times.
-      if (this.client === client && newState !== State.Starting) this.turned.fire(newState === State.Running);
+      if (this.client !== client || newState === State.Starting) return;
+      if (newState === State.Running) this.locks.programs().forEach((program) => this.tellLocks(program));
+      this.turned.fire(newState === State.Running);
     });
     try {
       await client.start();
       this.client = client;
+      this.locks.programs().forEach((program) => this.tellLocks(program));
       this.turned.fire(true);
     } catch (error) {
       this.turned.fire(false);
@@ -180,17 +192,18 @@ export class Server implements vscode.Disposable {
         return actions;
       },
       resolveCodeAction: async (action, token, next) => {
-        const ask = (edit: vscode.WorkspaceEdit) => {
+        const ask = (edit: vscode.WorkspaceEdit, title: string, shown: Shown | null) => {
           delete action.edit;
-          action.command = this.confirmations.command(action.title, edit, shownOf(action));
+          action.command = this.confirmations.command({ title, margins: [], edit, shown });
           return action;
         };
         const held = this.held.get(action);
-        if (held !== undefined) return ask(held);
+        if (held !== undefined) return ask(held, action.title, shownOf(action));
         try {
           const repair = isRepair(action);
           const found = await next(action, token);
-          return repair && found?.edit !== undefined ? ask(found.edit) : found;
+          // Its title now says what the repair is, and whose idea.
+          return repair && found?.edit !== undefined ? ask(found.edit, found.title, shownOf(found)) : found;
         } catch (error) {
           if (!isCancelled(error)) void vscode.window.showWarningMessage(`${action.title}: ${reason(error)}`);
           return action;
@@ -198,7 +211,11 @@ export class Server implements vscode.Disposable {
       },
       executeCommand: async (command, args, next) => {
         try {
-          const done: Done | null = await next(command, args.map((arg) => this.withLocks(command, arg)));
+          if (REPAIRS.includes(command)) {
+            await this.repair(command, args[0]);
+            return null;
+          }
+          const done: Done | null = await next(command, args);
           if (done !== null) say(done.holds === done.total, done.message);
           return done;
         } catch (error) {
@@ -209,10 +226,8 @@ export class Server implements vscode.Disposable {
     };
   }
 
-  /** A lens or an action knows nothing of what the user has locked. */
-  private withLocks(command: string, arg: { readonly uri?: string; readonly lock?: unknown } | null): unknown {
-    if (!MOVING.has(command) || arg?.uri === undefined || arg.lock !== undefined) return arg;
-    return { ...arg, ...this.locked(vscode.Uri.parse(arg.uri)) };
+  private tellLocks(uri: string): void {
+    void this.client?.sendNotification("scenelang/lock", { uri, objects: this.locks.of(uri) });
   }
 
   private tellMissing(why: string): void {

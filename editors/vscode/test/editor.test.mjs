@@ -262,6 +262,11 @@ check("the light bulb repairs a constraint", async (e) => {
   await shoot("repair");
   const [row] = await e.page.$$("::-p-xpath(//div[contains(@class, 'action-widget')]//div[contains(concat(@class, ' '), 'monaco-list-row ')][contains(., 'Repair this')])");
   await row.click();
+  await until("a ghost", async () => (await (await room(e)).evaluate(() => window.scenelang.ghosts())).join() === "plant");
+  await until("a question", async () => (await texts(e, ".quick-input-list .monaco-list-row"))[0]?.startsWith("Apply"));
+  assert.match((await texts(e, ".quick-input-list .monaco-list-row"))[0], /Move `plant` 0.45 m south.*→/, "what moves, and which margins change");
+  await shoot("proposed");
+  await e.page.keyboard.press("Enter");
   await until("no squiggle", async () => (await e.page.$$(".editor-instance .squiggly-error")).length === 0);
   await until("9/11", async () => (await status(e)) === "9/11 hold");
   const frame = await room(e);
@@ -341,12 +346,13 @@ check("an object is locked in the tree, and stays; of alternatives one is chosen
   await command(e, "scenelang.lockObject", { object: "lamp", uri });
   await until("the lock", async () => (await rows()).some((row) => /^lamp.*locked/.test(row)));
   await shoot("locked");
-  await command(e, "scenelang.solveScene");
-  await until("a solution that keeps it", () => asked("scenelang.solve").some(({ lock }) => lock?.join() === "lamp"));
+  const locked = () => logged("main").filter(({ locked }) => locked !== undefined).at(-1)?.locked.join();
+  await until("that the server knows", () => locked() === "lamp");
   await command(e, "scenelang.solveObject", { object: "plant", uri });
   await until("a solution of one object", () => asked("scenelang.solve").some(({ only }) => only?.join() === "plant"));
   await command(e, "scenelang.unlockObject", { object: "lamp", uri });
   await until("no lock", async () => (await rows()).every((row) => !/locked/.test(row)));
+  await until("that the server knows of none", () => locked() === "");
   await command(e, "scenelang.treeByState");
   await command(e, "scenelang.showAlternatives");
   const frame = await until("the alternatives", async () => {

@@ -169,6 +169,7 @@ check("the light bulb repairs it, and then all holds", async () => {
   await e.page.keyboard.press("Enter");
   // It is shown before it is made.
   await until("a question", async () => (await texts(".quick-input-list .monaco-list-row"))[0]?.startsWith("Apply"));
+  await until("ghosts", async () => (await (await room()).evaluate(() => window.scenelang.ghosts())).length > 0);
   await shoot("asked");
   await e.page.keyboard.press("Enter");
   const frame = await room();

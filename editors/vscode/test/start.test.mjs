@@ -1,9 +1,10 @@
-// From an empty window to a room, in a real VS Code with the server itself: a sentence, a small program, an example. Skipped where
-// there is no editor or no server built.
+// From an empty window to a room and out of it, in a real VS Code with the server itself: a sentence becomes a room, something is
+// added by hand, something dragged, what that broke is repaired, and the room is exported; then a small program and an example.
+// Skipped where there is no editor or no server built.
 // SHOTS names a folder for pictures; SCENELANG names the server, else it is the newest in target.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -106,6 +107,112 @@ check("solving again leaves a room as it is, and warns of nothing", async () => 
   assert.deepEqual(layout("room"), before);
   assert.ok((await notices()).every((notice) => !/did not apply/.test(notice)));
   await command("notifications.clearAll");
+});
+
+/** What is in the program, whether it is saved or not. */
+const source = () => e.api("return vscode.workspace.textDocuments.find((d) => d.uri.path.endsWith('/room.scene')).getText()");
+/** Opens the menu of the light bulb at some words of the program, and chooses the first row that fits. */
+async function choose(words, row) {
+  await e.api("const d = vscode.workspace.textDocuments.find((d) => d.uri.path.endsWith('/room.scene')); const e = await vscode.window.showTextDocument(d, vscode.ViewColumn.One); const p = d.positionAt(d.getText().lastIndexOf(args.words) + 1); e.selection = new vscode.Selection(p, p); e.revealRange(new vscode.Range(p, p), 2)", { words });
+  const focused = async () => (await texts(".action-widget .monaco-list-row.focused"))[0];
+  await until(`the menu with ${row}`, async () => {
+    if ((await texts(".action-widget .monaco-list-row")).some((offered) => row.test(offered))) return true;
+    // The server may not have judged the new text yet.
+    await begin("editor.action.quickFix");
+    await sleep(700);
+    return false;
+  });
+  const menu = await texts(".action-widget .monaco-list-row");
+  await until(`${row}`, async () => row.test((await focused()) ?? "") || (await e.page.keyboard.press("ArrowDown"), false));
+  await e.page.keyboard.press("Enter");
+  return menu;
+}
+/** Saves what Solve, Place and repairs have changed of the layout. */
+const saved = () => e.api("return (await vscode.workspace.openTextDocument(vscode.Uri.file(args.file))).save()", { file: e.path("room.layout.json") });
+/** The page of the preview, which is a frame in a frame. */
+async function preview() {
+  for (const frame of e.page.frames()) if (await frame.evaluate(() => window.scenelang?.ready === true).catch(() => false)) return frame;
+  throw new Error("there is no preview");
+}
+/** Where an object can be seized in the preview: found as a user finds it, by its name under the pointer. */
+async function pointed(name) {
+  const frame = await preview();
+  const area = await (await frame.$("canvas")).boundingBox();
+  return until(`${name} under the pointer`, async () => {
+    for (let i = 0; i < 2400; i += 1) {
+      const [x, y] = [area.x + area.width * (0.03 + 0.0157 * (i % 60)), area.y + area.height * (0.03 + 0.0235 * Math.floor(i / 60))];
+      await e.page.mouse.move(x, y);
+      await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      if ((await frame.$eval(".tip", (tip) => (tip.hidden ? null : tip.querySelector("strong").textContent))) === name) return [x, y];
+    }
+    return null;
+  }, 240_000);
+}
+const ADDED = 'object plant;\nplant.category <- "potted plant";\nassert inside(plant, study);\nassert gap(plant, desk) <= 0.3;\n';
+
+check("an object that is added by hand is placed, and nothing else moves", async () => {
+  const before = layout("room");
+  await e.api("const e = await vscode.window.showTextDocument(vscode.workspace.textDocuments.find((d) => d.uri.path.endsWith('/room.scene')), vscode.ViewColumn.One); await e.edit((b) => b.insert(new vscode.Position(e.document.lineCount, 0), args.text)); await e.document.save()", { text: `\n${ADDED}` });
+  await choose("object plant", /^Place `plant`/);
+  await until("that it is placed", async () => (await notices()).some((notice) => /placed `plant`: (\d+) of \1 hold/.test(notice)), 120_000);
+  await saved();
+  const after = await until("its place", () => ((now) => now.objects.plant !== undefined && now)(layout("room")));
+  for (const [name, placed] of Object.entries(before.objects)) assert.deepEqual(after.objects[name].pos, placed.pos, name);
+  await command("notifications.clearAll");
+  await shoot("placed");
+});
+
+check("what is dragged away breaks a constraint, and the first repair that is offered brings it back", async () => {
+  const before = layout("room").objects.plant.pos;
+  const frame = await preview();
+  await frame.evaluate(() => window.scenelang.select(null));
+  const place = () => e.api("return JSON.parse((await vscode.workspace.openTextDocument(vscode.Uri.file(args.file))).getText()).objects.plant.pos", { file: e.path("room.layout.json") });
+  // Away from the desk, in whatever direction that is on the screen.
+  for (const [dx, dy] of [[-90, 25], [90, 25], [0, 70], [0, -70]]) {
+    const [x, y] = await pointed("plant");
+    await e.page.mouse.down();
+    await e.page.mouse.move(x + dx, y + dy, { steps: 6 });
+    await e.page.mouse.up();
+    await until("an edit of the layout", async () => (await place()).some((v, i) => Math.abs(v - before[i]) > 0.01));
+    if (await until("a verdict", async () => ((now) => now !== undefined && now[1] > 0 && now)(await counted())).then(async () => (await sleep(1500), (await e.page.$$(".editor-instance .squiggly-error")).length > 0))) break;
+  }
+  const [holds, total] = await until("that something fails", async () => ((now) => now !== undefined && now[0] < now[1] && now)(await counted()));
+  await shoot("broken");
+  const menu = await choose("gap(plant, desk)", /^(Move|Turn) `plant`/);
+  assert.match(menu.filter((row) => !/^(Quick Fix|Fix)/.test(row))[0], /^Move `plant`/, menu.join("\n"));
+  await until("a ghost", async () => (await frame.evaluate(() => window.scenelang.ghosts())).join() === "plant");
+  await until("a question", async () => (await texts(".quick-input-list .monaco-list-row"))[0]?.startsWith("Apply"));
+  await shoot("ghost");
+  await e.page.keyboard.press("Enter");
+  await until(`that all ${total} hold, not ${holds}`, async () => ((now) => now !== undefined && now[0] === now[1])(await counted()), 60_000);
+  await until("no ghost", async () => (await frame.evaluate(() => window.scenelang.ghosts())).length === 0);
+  await saved();
+  await shoot("repaired");
+  assert.ok((await source()).includes("assert gap(plant, desk) <= 0.3;"), "the layout was repaired, not the program");
+});
+
+check("the room is exported, and what was written is opened", async () => {
+  await command("notifications.clearAll");
+  await e.api("void vscode.commands.executeCommand('scenelang.exportScene', vscode.Uri.file(args.file))", { file: e.path("room.scene") });
+  const rows = () => texts(".quick-input-list .monaco-list-row");
+  await until("the formats", async () => (await rows()).some((row) => /^unity/.test(row)));
+  await shoot("formats");
+  await e.page.keyboard.press("Enter");
+  await until("where to", async () => (await rows()).some((row) => /out\/room/.test(row)));
+  await e.page.keyboard.press("Enter");
+  await until("that it is written", async () => (await notices()).some((notice) => /Written to .*out\/room/.test(notice)), 180_000);
+  for (const file of ["picture.png", "unity"]) assert.ok(existsSync(e.path(`out/room/${file}`)), file);
+  assert.ok(readdirSync(e.path("out/room")).some((file) => file.endsWith(".glb")));
+  await until("the button", async () => {
+    const [button] = await e.page.$$("::-p-xpath(//div[contains(@class, 'notification-list-item')]//a[contains(., 'Open')])");
+    await button.evaluate((element) => element.click());
+    return true;
+  });
+  await until("what there is to open", async () => (await rows())[0]?.startsWith("Picture"));
+  await e.page.keyboard.press("Enter");
+  await until("the picture", async () => (await e.api("return vscode.window.tabGroups.activeTabGroup.activeTab?.label")) === "picture.png");
+  await command("notifications.clearAll");
+  await shoot("exported");
   await command("workbench.action.closeAllEditors");
 });
 

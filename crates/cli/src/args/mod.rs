@@ -290,6 +290,9 @@ pub struct Repair {
     /// Repair only this violation: a line of the program, or an id from the report (`room.scene:12:1`, `P-COLLIDE:a:b`)
     #[arg(long, value_name = "LINE | ID")]
     pub constraint: Option<String>,
+    /// Objects or whole arrays that must stay exactly where they are
+    #[arg(long, value_name = "NAME", num_args = 1..)]
+    pub lock: Vec<String>,
     /// List the possible repairs without writing anything
     #[arg(long)]
     pub dry_run: bool,

@@ -56,6 +56,28 @@ fn the_example_of_the_book_is_as_shown() {
     assert_eq!(repair(folder.path(), &["--dry-run", "--format", "json"]).stdout, ended.stdout, "the same each time");
 }
 
+/// What is locked is moved by no repair that is offered, and a name that nothing has is an error.
+#[test]
+fn what_is_locked_stays() {
+    let folder = folder();
+    let ways = |args: &[&str]| -> Vec<Value> {
+        let all: Vec<&str> = ["--dry-run", "--format", "json"].iter().chain(args).copied().collect();
+        let found = fits("repair", &repair(folder.path(), &all).stdout);
+        found["alternatives"].as_array().unwrap().clone()
+    };
+    let moved = |ways: &[Value]| -> Vec<String> {
+        let moves = ways.iter().flat_map(|way| way["moves"].as_array().unwrap());
+        moves.map(|m| m["object"].as_str().unwrap().to_owned()).collect()
+    };
+    let free = moved(&ways(&[]));
+    let first = free.first().expect("a move").clone();
+    let held = moved(&ways(&["--lock", &first]));
+    assert!(!held.contains(&first), "{held:?}");
+    let ended = repair(folder.path(), &["--lock", "ghost"]);
+    assert_eq!(ended.code, 2);
+    assert!(ended.stderr.contains("the program has no object `ghost`"), "{}", ended.stderr);
+}
+
 #[test]
 fn nothing_is_written_but_what_was_chosen() {
     let [scene, layout, _] = book();

@@ -21,6 +21,8 @@ use scenelang_verify::report::model::RowKind;
 
 /// What looking for a move may cost, in small comparisons.
 const BUDGET: usize = 120_000;
+/// What looking for one that repairs all that fails may cost: it is looked for once.
+const TOGETHER: usize = 3 * BUDGET;
 /// So many objects of a row are tried.
 const OBJECTS: usize = 4;
 /// So many moves of one object are judged by all that they touch.
@@ -54,13 +56,20 @@ pub(crate) struct MoveFinder<'a> {
     limit: usize,
     /// Moves of one object that repair what is asked for and do no harm.
     harmless: Vec<Judged>,
+    /// Objects that stay where they are.
+    locked: Vec<ObjectId>,
 }
 
 impl<'a> MoveFinder<'a> {
     /// Whoever tries out what is dear has so much to spend.
     pub fn new(program: &'a Program, world: World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
         let stage = Stage::new(program, world, purse);
-        Self { stage, failing, whole: None, limit: 0, harmless: Vec::new() }
+        Self { stage, failing, whole: None, limit: 0, harmless: Vec::new(), locked: Vec::new() }
+    }
+
+    /// The same, but these objects stay where they are.
+    pub fn locking(self, locked: &[ObjectId]) -> Self {
+        Self { locked: locked.to_vec(), ..self }
     }
 
     /// The layout, with everything where it was given.
@@ -152,7 +161,7 @@ impl<'a> MoveFinder<'a> {
         }
         if self.whole.is_none() {
             let failing = self.failing.clone();
-            self.limit = self.stage.work + BUDGET;
+            self.limit = self.stage.work + TOGETHER;
             let goals: Vec<Goal> = failing.iter().map(|row| Goal::Row(*row)).collect();
             let mut best = None;
             for object in self.blamed(&failing) {
@@ -259,7 +268,7 @@ impl<'a> MoveFinder<'a> {
         }
         let fitting = |id| self.stage.is_fitting(id);
         found.sort_by_key(|(id, times)| (fitting(*id), std::cmp::Reverse(*times)));
-        found.into_iter().map(|(id, _)| id).take(OBJECTS).collect()
+        found.into_iter().map(|(id, _)| id).filter(|id| !self.locked.contains(id)).take(OBJECTS).collect()
     }
 
     /// The same of rows, in the layout.
@@ -339,7 +348,7 @@ impl<'a> MoveFinder<'a> {
     /// What rests on an object and may go along.
     fn riders(&mut self, attempt: &Attempt<'_>) -> Vec<ObjectId> {
         let carried = self.stage.carried_by(attempt.object).into_iter();
-        carried.filter(|id| self.stage.pins(*id, attempt.free)[0].is_none()).collect()
+        carried.filter(|id| !self.locked.contains(id) && self.stage.pins(*id, attempt.free)[0].is_none()).collect()
     }
 
     /// The smallest moves of an object, whatever they break.

@@ -2,13 +2,14 @@
 
 use super::Within;
 use crate::change::WorkspaceChange;
-use crate::commands::{REPAIR, Target, command, repair_command};
+use crate::commands::{Hold, REPAIR, Target, command, repair_command};
 use crate::dispatch::{Context, Fault, params, sent};
+use crate::jobs::{JobOutcome, Shown};
 use crate::publish::mark;
 use crate::repair::{Wanted, repair};
 use crate::state::State;
 use scenelang_base::{Edit, TextRange};
-use scenelang_ide::actions::{self, Action, ActionKind, Detail, Ghost};
+use scenelang_ide::actions::{self, Action, ActionKind, Detail};
 use scenelang_ide::diagnostics::Finding;
 use scenelang_ide::hints::unplaced;
 use scenelang_lang::program::ConstraintKind;
@@ -64,18 +65,7 @@ pub struct Offered {
 enum About {
     Later(Data),
     /// For a picture of it before it is made.
-    Moves {
-        uri: Uri,
-        moves: Vec<Moved>,
-    },
-}
-
-/// Where an object stands afterwards.
-#[derive(Serialize)]
-struct Moved {
-    object: String,
-    pos: [f64; 3],
-    rot: [f64; 3],
+    Moves(Shown),
 }
 
 /// `textDocument/codeAction`
@@ -140,9 +130,7 @@ fn shown(context: &Context, action: &Action, range: Range) -> Offered {
         out.edit = Some(if action.moves.is_empty() { edit } else { to_confirm(context, edit, &action.title) });
     }
     if !action.moves.is_empty() {
-        let ghost = |m: &Ghost| Moved { object: m.object.clone(), pos: m.pos.into(), rot: m.rot.into() };
-        let moves = action.moves.iter().map(ghost).collect();
-        out.data = Some(About::Moves { uri: context.uri.clone(), moves });
+        out.data = Some(About::Moves(Shown::new(context.uri.clone(), &action.moves)));
     }
     out.diagnostics = action.repairs.as_ref().map(|finding| vec![marked(context, finding)]);
     out.is_preferred = action.preferred.then_some(true);
@@ -177,7 +165,7 @@ fn changes(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Resu
             let edit = context.places().workspace_edit(&[edit], context.edit_versions());
             let edit = Some(to_confirm(context, edit, &title));
             let diagnostics = Some(vec![marked(context, finding)]);
-            let data = Some(About::Moves { uri: context.uri.clone(), moves: Vec::new() });
+            let data = Some(About::Moves(Shown::new(context.uri.clone(), &[])));
             out.push(Offered { title, kind: QUICK_FIX, diagnostics, edit, data, ..Offered::default() });
         }
     };
@@ -267,18 +255,23 @@ impl State {
                 return Ok(());
             }
         };
+        let shown_in = uri.clone();
         let wanted = if program { Wanted::Program(line) } else { Wanted::Line(line) };
-        let finish = Box::new(move |state: &mut State, id: &Id, outcome: crate::jobs::JobOutcome| {
+        let finish = Box::new(move |state: &mut State, id: &Id, outcome: JobOutcome| {
             // An action that does nothing when it is chosen looks like one that failed without a word.
             let Some(mut edit) = outcome.edit else { return state.reply(id, Err(Fault::Failed(outcome.message))) };
             edit.ask_first();
+            // What it is, and whose idea: until now it was only "repair this".
+            let title = actions::sentence(outcome.message.lines().next().unwrap_or_default());
             state.tell("window/logMessage", LogMessageParams { typ: MessageType::INFO, message: outcome.message });
-            let completed = sent(edit).map(|edit| {
+            let completed = sent(edit).and_then(|edit| {
                 action["edit"] = edit;
-                action
+                action["title"] = title.into();
+                action["data"] = sent(Shown::new(shown_in, &outcome.moves))?;
+                Ok(action)
             });
             state.reply(id, completed);
         });
-        self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted, &[]), finish)
+        self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted, &Hold::default()), finish)
     }
 }

@@ -121,6 +121,39 @@ fn the_smallest_move_is_offered_at_once() {
     client.stop();
 }
 
+/// What the user has locked is moved by none of the offers; where nothing else helps, the refusal names it.
+#[test]
+fn no_offer_moves_what_is_locked() {
+    let (folder, scene, _) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.uri("room.scene");
+    // Before the program is opened, too.
+    client.tell("scenelang/lock", json!({ "uri": uri, "objects": ["stand"] }));
+    client.open("room.scene", &scene);
+    client.published(&uri);
+    let offered = |client: &mut Client| client.offered(&uri, &scene, "assert g|ap(stand", Some("quickfix"));
+    let moved = |actions: &[Value]| -> Vec<String> {
+        let moves = actions.iter().filter_map(|a| a["data"]["moves"].as_array()).flatten();
+        moves.map(|m| m["object"].as_str().unwrap().to_owned()).collect()
+    };
+    let all = offered(&mut client);
+    assert!(moved(&all).iter().all(|object| !object.starts_with("stand")), "{:?}", moved(&all));
+    let repair = all.iter().find(|a| a["title"] == "Repair this constraint").expect("repair").clone();
+    let whole = client.ask("codeAction/resolve", repair.clone());
+    assert_eq!(moved(&[whole]), ["bed"], "the search goes another way");
+    client.tell("scenelang/lock", json!({ "uri": uri, "objects": ["stand", "bed"] }));
+    let (_, why) = client.refused("codeAction/resolve", repair);
+    assert!(why.ends_with("leaves what is locked in place: `bed`, `stand[0]`, `stand[1]`"), "{why}");
+    // The other one of the two may still go.
+    client.tell("scenelang/lock", json!({ "uri": uri, "objects": ["stand[1]"] }));
+    let all = offered(&mut client);
+    assert!(moved(&all).contains(&"stand[0]".to_owned()), "{:?}", moved(&all));
+    assert!(!moved(&all).contains(&"stand[1]".to_owned()));
+    client.tell("scenelang/lock", json!({ "uri": uri, "objects": [] }));
+    assert!(moved(&offered(&mut client)).contains(&"stand[1]".to_owned()));
+    client.stop();
+}
+
 #[test]
 fn repair_is_listed_at_once_and_worked_out_on_demand() {
     let (folder, scene, layout) = room();
@@ -137,6 +170,8 @@ fn repair_is_listed_at_once_and_worked_out_on_demand() {
     // The preview says what moves, and which margins change.
     let note = &whole["edit"]["changeAnnotations"]["change"];
     assert!(note["label"].as_str().unwrap().contains("move `stand[1]`"), "{note}");
+    assert_eq!(whole["data"]["moves"][0]["object"], "stand[1]", "an editor can show it before");
+    assert!(whole["title"].as_str().unwrap().starts_with("Move `stand[1]`"), "{whole}");
     assert!(note["description"].as_str().unwrap().contains("−0.12 m → +"), "{note}");
     assert_eq!(note["needsConfirmation"], true);
     for kind in ["begin", "end"] {

@@ -29,7 +29,13 @@ fn checking_solving_and_repairing() {
     let locked = json!({ "uri": uri, "lock": ["bed", "stand", "lamp"] });
     let ask = json!({ "command": "scenelang.repairAll", "arguments": [locked] });
     let (_, why) = client.refused("workspace/executeCommand", ask);
-    assert!(why.contains("which is locked"), "{why}");
+    assert!(why.ends_with("leaves what is locked in place: `bed`, `stand[0]`, `stand[1]`, `lamp`"), "{why}");
+    // What is only proposed is not made.
+    let proposed = run(&mut client, "scenelang.repairAll", json!({ "uri": uri, "propose": true }));
+    assert!(proposed["message"].as_str().unwrap().contains("stand[1]"), "{proposed}");
+    assert_eq!((&proposed["moves"][0]["object"], &proposed["uri"]), (&json!("stand[1]"), &json!(uri)));
+    assert!(edits_of(&proposed["edit"], &client.uri("room.layout.json"))[0]["newText"].is_string());
+    assert!(client.asked.iter().all(|m| m["method"] != "workspace/applyEdit"));
 
     let repaired = run(&mut client, "scenelang.repairAll", of.clone());
     assert!(repaired["message"].as_str().unwrap().contains("stand[1]"), "{repaired}");
@@ -141,7 +147,13 @@ fn some_objects_stay_where_they_are() {
         ["chair", "lamp"].map(|name| layout["objects"][name]["pos"].clone()).to_vec()
     };
     let before = places(&layout);
-    for (hold, stays, goes) in [(json!({ "lock": ["chair"] }), 0, 1), (json!({ "only": ["chair"] }), 1, 0)] {
+    let locked = |objects: Value| json!({ "uri": uri, "objects": objects });
+    for (hold, stays, goes) in
+        [(json!({ "lock": ["chair"] }), 0, 1), (json!({ "only": ["chair"] }), 1, 0), (json!({}), 0, 1)]
+    {
+        // What the editor has said is locked counts for every command; what the program does not have, for none.
+        let told = if hold == json!({}) { json!(["chair", "ghost"]) } else { json!([]) };
+        client.tell("scenelang/lock", locked(told));
         let mut argument = json!({ "uri": uri, "seed": 7 });
         hold.as_object().unwrap().iter().for_each(|(key, names)| argument[key] = names.clone());
         let solved = run(&mut client, "scenelang.solveAnew", argument);

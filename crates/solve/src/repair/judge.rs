@@ -4,6 +4,7 @@ use super::{Damaged, RepairOptions, Unjudged, Which};
 use rustc_hash::FxHashSet;
 use scenelang_engine::limit::Limit;
 use scenelang_lang::Program;
+use scenelang_lang::program::ObjectId;
 use scenelang_layout::Layout;
 use scenelang_verify::check::Judged;
 use scenelang_verify::explain::RowRef;
@@ -15,6 +16,8 @@ pub(super) struct Judge<'a> {
     pub program: &'a Program,
     pub layout: &'a Layout,
     pub options: Options,
+    /// Objects that stay where they are.
+    pub locked: Vec<ObjectId>,
     /// When looking has to end.
     pub limit: Limit,
     /// Rows that fail and are to hold.
@@ -47,6 +50,7 @@ impl<'a> Judge<'a> {
             program: damaged.program,
             layout: damaged.layout,
             options: judging,
+            locked: options.locked.clone(),
             limit: Limit::new(options.time, &options.stop),
             targets: failing.iter().copied().filter(wanted).collect(),
             failing: failing.into_iter().collect(),
@@ -70,6 +74,15 @@ impl<'a> Judge<'a> {
         self.judge_with(self.program, layout, Some)
     }
 
+    /// Whether an object is where the layout has it.
+    fn stays(&self, id: ObjectId, layout: &Layout) -> bool {
+        let name = &self.program.objects[id.0 as usize].name;
+        match (self.layout.object(name), layout.object(name)) {
+            (Some(was), Some(is)) => was.pos == is.pos && was.rot == is.rot,
+            (was, is) => was.is_none() && is.is_none(),
+        }
+    }
+
     /// The same with another program; `as_before` says which row of ours a row of that one is, if any.
     pub fn judge_with(
         &self,
@@ -79,6 +92,9 @@ impl<'a> Judge<'a> {
     ) -> Option<Vec<RowRef>> {
         let verdict = check(program, layout, &self.options);
         if verdict.diagnostics.iter().any(|d| d.is_error()) {
+            return None;
+        }
+        if self.locked.iter().any(|id| !self.stays(*id, layout)) {
             return None;
         }
         let mut broken = Vec::new();

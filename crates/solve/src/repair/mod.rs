@@ -88,6 +88,8 @@ pub struct RepairOptions {
     pub time: Option<Duration>,
     /// Set from elsewhere, it ends the search.
     pub stop: Stop,
+    /// Objects that stay where they are.
+    pub locked: Vec<ObjectId>,
     /// At most so many alternatives of each kind.
     pub alternatives: usize,
     /// Tolerances, η, what a solid is, whether the physical rules apply.
@@ -100,6 +102,7 @@ impl Default for RepairOptions {
             budget: 200_000_000,
             time: None,
             stop: Stop::default(),
+            locked: Vec::new(),
             alternatives: 3,
             judge: scenelang_verify::Options::default(),
         }

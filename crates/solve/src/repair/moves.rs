@@ -14,7 +14,7 @@ use scenelang_verify::explain::SmallestMove;
 
 /// What `check` offers for the same rows, as far as that repairs them all and breaks no demand.
 pub(super) fn offered(judge: &Judge<'_>) -> Vec<Alternative> {
-    let moves = moves_for(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets);
+    let moves = moves_for(judge.program, judge.layout, &judge.options, &judge.verdict, &judge.targets, &judge.locked);
     moves.iter().filter_map(|repair| made(judge, repair)).collect()
 }
 

@@ -46,7 +46,8 @@ impl<'a> Fixtures<'a> {
         let scope = judge.options.physics.then(|| Scope::new(&world));
         let size = |id: ObjectId| judge.layout.object(&judge.program.objects[id.0 as usize].name).map(|p| p.scale);
         let terms = terms::split(judge.program).into_iter().chain(opens::terms(&world)).collect();
-        let frame = Frame::new(judge.program, terms, scope, |id| size(id).unwrap_or_else(|| Vec3::repeat(1.0)));
+        let mut frame = Frame::new(judge.program, terms, scope, |id| size(id).unwrap_or_else(|| Vec3::repeat(1.0)));
+        judge.locked.iter().for_each(|id| frame.lock(*id));
         Self { frame, world }
     }
 }

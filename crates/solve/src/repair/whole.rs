@@ -40,7 +40,7 @@ pub(super) fn search(room: &mut RepairSearch<'_, '_>, options: &RepairOptions) -
     }
     if found.is_empty() {
         let regions: Vec<RegionId> = (0..room.judge.program.regions.len() as u32).map(RegionId).collect();
-        let placed = || Placed::Some { objects: Vec::new(), regions: regions.clone() };
+        let placed = || Placed::Some { objects: room.judge.locked.clone(), regions: regions.clone() };
         let preferred = room.missing().iter().any(|&check| !room.search.state.is_hard(check));
         let mut tries = (0..ANEW[usize::from(preferred)]).take_while(|_| !room.judge.limit.is_over());
         found.extend(tries.find_map(|variant| solved(room, options, placed(), anew, variant).0));
@@ -69,6 +69,7 @@ fn solved(
         diagnose: false,
         time: judge.limit.left(),
         stop: options.stop.clone(),
+        locked: judge.locked.clone(),
         ..Options::default()
     };
     let outcome = solve(&problem, &solver, &mut |_| ControlFlow::Continue(()));

@@ -166,11 +166,8 @@ pub fn query(checked: &Checked, name: Option<&str>) -> Result<Option<Query>, Str
 
 /// The objects that a name stands for.
 fn named(program: &Program, name: &str) -> Result<Vec<ObjectId>, String> {
-    let is_meant = |o: &scenelang_lang::program::Object| {
-        o.name == name || o.array.as_ref().is_some_and(|(array, _)| array == name)
-    };
-    let found: Vec<ObjectId> =
-        (0..).zip(&program.objects).filter(|(_, object)| is_meant(object)).map(|(id, _)| ObjectId(id)).collect();
+    let objects = (0..).map(ObjectId).zip(&program.objects);
+    let found: Vec<ObjectId> = objects.filter(|(_, object)| object.is_meant_by(name)).map(|(id, _)| id).collect();
     if !found.is_empty() {
         return Ok(found);
     }
