@@ -484,6 +484,11 @@ check("the editor's own model answers the server; a key goes from the secret sto
     await until("a model", () => other.api("return (await vscode.lm.selectChatModels()).length"));
     await begin(other, "scenelang.repairScene");
     await until("its answer", () => logged("model").some(({ said }) => said === "the first piece, the second"));
+    await until("the proposal", async () => (await texts(other, ".quick-input-list .monaco-list-row"))[0]?.startsWith("Apply"));
+    await other.page.keyboard.press("Escape");
+    // Where a difference closes, the focus goes elsewhere, and a question that is asked too early with it.
+    await until("no difference", async () => (await other.page.$$(".monaco-diff-editor")).length === 0);
+    await sleep(500);
     const asked = JSON.parse(readFileSync(`${other.socket}.said`, "utf8")).map(([, said]) => said);
     assert.deepEqual(asked.slice(0, 2), ["You move furniture.", "Where to?"]);
     assert.match(asked[2], /JSON Schema:\n\{"type":"object"\}/);
