@@ -6,15 +6,13 @@ use crate::progress::Progress;
 use crate::{FAILED, GOOD, out, replace};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use scenelang_assets::{Asset, AssetRequest, categories, families, family_of, furnish};
+use scenelang_assets::{AssetRequest, categories, families, family_of, furnish};
 use scenelang_base::fs::write_set;
-use scenelang_export::{ExportError, Scene, SceneInput, picture};
+use scenelang_export::specimen;
 use scenelang_lang::library::usual_size;
-use scenelang_lang::{Compiled, compile_text, nouns};
-use scenelang_layout::convex;
-use scenelang_layout::{Convex, Layout, Moving, Part, Placement, Vec3, rotation};
+use scenelang_lang::nouns;
+use scenelang_layout::Vec3;
 use std::fmt::Write;
-use std::path::Path;
 
 /// How large a picture is, pixels.
 const PICTURE: [usize; 2] = [176, 132];
@@ -89,7 +87,7 @@ fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
         });
         let opens = !asset.joints.is_empty();
         for open in [false, true].into_iter().filter(|open| !open || opens) {
-            let png = drawn(&noun, &asset, open).map_err(|e| e.to_string())?;
+            let png = specimen::png(&noun, &asset, open, PICTURE).map_err(|e| e.to_string())?;
             let [x, y, z]: [f64; 3] = asset.size.into();
             let state = match (opens, open) {
                 (false, _) => "",
@@ -108,75 +106,4 @@ fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
     }
     text += "</div></section>\n";
     Ok(text)
-}
-
-/// A picture of one thing by itself. Open, it is drawn of its convex parts.
-fn drawn(noun: &str, asset: &Asset, open: bool) -> Result<Vec<u8>, ExportError> {
-    let program = format!("object it;\nit.category <- \"{noun}\";\n");
-    let Compiled { program: Some(program), sources, main, .. } =
-        compile_text("gallery.scene", Path::new("gallery.scene"), &program, scenelang_lang::Options::default())
-    else {
-        return Err(ExportError::Format("gallery", "its program does not compile".into()));
-    };
-    let (parts, scale) = if open { opened(asset) } else { (asset.parts.clone(), asset.size) };
-    let placement = Placement {
-        pos: Vec3::zeros(),
-        rot: Vec3::zeros(),
-        scale,
-        parts,
-        surface: asset.surface,
-        joints: if open { Vec::new() } else { asset.joints.clone() },
-    };
-    let layout = Layout { objects: vec![("it".into(), placement)], ..Layout::default() };
-    let scene = Scene::build(&SceneInput {
-        name: "gallery",
-        program: &program,
-        sources: &sources,
-        files: &[main],
-        layout: &layout,
-        layout_text: "",
-        report: &serde_json::json!({ "ok": true, "constraints": [], "diagnostics": [] }),
-    });
-    picture::png(&scene.map_err(|e| ExportError::Format("gallery", e.to_string()))?, PICTURE)
-}
-
-/// Its parts with all that opens as far open as it is of use, and the size of the box around them, on which they stand.
-fn opened(asset: &Asset) -> (Vec<Part>, Vec3) {
-    let mut bodies: Vec<Convex> = asset.parts.iter().filter_map(Convex::from_part).collect();
-    if bodies.len() < asset.parts.len() {
-        // Parts without a volume: indices would mean others.
-        return (asset.parts.clone(), asset.size);
-    }
-    for joint in &asset.joints {
-        let known: Vec<usize> = joint.parts.iter().copied().filter(|&i| i < bodies.len()).collect();
-        let still = rotation::matrix(Vec3::zeros());
-        let moving = Moving::new(joint, known.iter().map(|&i| &bodies[i]), &still, &Vec3::zeros());
-        for (i, body) in known.into_iter().zip(moving.opened(joint.useful.unwrap_or(joint.limits[1]))) {
-            bodies[i] = body;
-        }
-    }
-    let around = convex::aabb(&bodies);
-    let middle = (around.min + around.max) / 2.0;
-    let base = Vec3::new(middle.x, around.min.y, middle.z);
-    let hull = |body: &Convex| Part::Hull { points: body.vertices().iter().map(|v| v - base).collect() };
-    (bodies.iter().map(hull).collect(), around.max - around.min)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Parts that do not fill the box of their object do not count, and the box would be drawn.
-    #[test]
-    fn what_stands_open_fills_a_box_that_is_deeper() {
-        for category in ["fridge", "wardrobe", "door", "window"] {
-            let size = usual_size(category).map(Vec3::from);
-            let asset = furnish(&AssetRequest { name: "it", category, size, ..AssetRequest::default() });
-            let (parts, scale) = opened(&asset);
-            assert!(scale.z > asset.size.z + 0.3, "{category}: {scale:?}");
-            let (pos, rot) = (Vec3::zeros(), Vec3::zeros());
-            let placement = Placement { pos, rot, scale, parts, surface: None, joints: Vec::new() };
-            assert!(convex::parts_fill_box(&placement), "{category}");
-        }
-    }
 }

@@ -1,9 +1,12 @@
 //! What words of the language and settings mean (`explain near`), and which categories are known (`categories`).
 
 use crate::args::{Categories, Plain};
+use crate::progress::Progress;
+use crate::replace::{self, May};
 use crate::{FAILED, GOOD, manual};
 use scenelang_assets::family_of;
 use scenelang_base::suggest;
+use scenelang_export::{OutFile, specimen};
 use scenelang_ide::{hover, keywords};
 use scenelang_lang::library;
 use scenelang_lang::natives;
@@ -12,6 +15,7 @@ use scenelang_lang::roles::role_of;
 use scenelang_verify::schemas;
 use serde_json::{Value, json};
 use std::fmt::Write;
+use std::path::Path;
 
 /// Chapters of the book with a section for each predicate and built-in.
 const CHAPTERS: [&str; 7] = [
@@ -190,14 +194,39 @@ pub fn categories(args: &Categories) -> u8 {
     } else {
         let width = found.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
         let _ = writeln!(out, "{:width$}   width height  depth   {:14} furniture", "category", "role");
-        for (name, [w, h, d]) in found {
+        for (name, [w, h, d]) in &found {
             let furniture = family_of(name, "").unwrap_or("a labelled box");
             let _ = writeln!(out, "{name:width$}  {w:>6.2} {h:>6.2} {d:>6.2}   {:14} {furniture}", role_of(name));
         }
     }
     crate::out::show(&out);
-    GOOD
+    let Some(folder) = &args.pictures else { return GOOD };
+    match pictures(found.iter().map(|(name, _)| name.as_str()), folder, args.force) {
+        Ok(()) => GOOD,
+        Err(message) => {
+            eprintln!("error: {message}");
+            FAILED
+        }
+    }
 }
+
+/// Writes a picture of each category.
+fn pictures<'a>(names: impl Iterator<Item = &'a str>, folder: &Path, force: bool) -> Result<(), String> {
+    let progress = Progress::new("drawing");
+    let draw = |name: &str| {
+        progress.say(format!("drawing {name}"));
+        specimen::of_category(name, PICTURE).map(|png| OutFile::new(format!("{name}.png"), png))
+    };
+    let files: Vec<OutFile> = names.filter_map(draw).collect();
+    drop(progress);
+    let written = replace::folder(folder, &files, &[], May { force, these: &[] })?;
+    let plural = if written.len() == 1 { "" } else { "s" };
+    eprintln!("{} picture{plural} written to {}", written.len(), folder.display());
+    Ok(())
+}
+
+/// How large a picture is (pixels).
+const PICTURE: [usize; 2] = [640, 480];
 
 /// What things of a category stand on, in a word.
 fn stands(name: &str) -> Option<String> {

@@ -23,6 +23,7 @@ pub mod plan;
 pub mod preview;
 pub mod scene;
 pub mod sdf;
+pub mod specimen;
 mod textures;
 pub mod unity;
 pub mod urdf;

@@ -229,8 +229,31 @@ fn value_of(snapshot: &Snapshot, name: &Occurrence, property: &str) -> Option<St
     facts::of_region(snapshot, program, layout, RegionId(id as u32), property)
 }
 
+/// The category that is assigned at an offset.
+pub fn category_at(snapshot: &Snapshot, offset: u32) -> Option<String> {
+    match word_at(snapshot.text(), offset)? {
+        (_, Word::Category(category)) => Some(category.trim().to_owned()),
+        (_, Word::Other(_)) => None,
+    }
+}
+
 /// The word of the language, or the category, at an offset.
 fn of_word(text: &str, offset: u32) -> Option<(TextRange, String)> {
+    let (range, word) = word_at(text, offset)?;
+    match word {
+        Word::Category(category) => Some((range, of_category(category))),
+        Word::Other(written) => keywords::says(written).map(|text| (range, text)),
+    }
+}
+
+enum Word<'t> {
+    /// What is between the quotes.
+    Category(&'t str),
+    Other(&'t str),
+}
+
+/// What is written at an offset; of texts only categories.
+fn word_at(text: &str, offset: u32) -> Option<(TextRange, Word<'_>)> {
     let chunk = cut(text).chunks.into_iter().find(|c| c.range.start <= offset && offset <= c.range.end)?;
     let tokens = lex(text.get(chunk.range.bytes())?);
     let at = offset - chunk.range.start;
@@ -242,9 +265,9 @@ fn of_word(text: &str, offset: u32) -> Option<(TextRange, String)> {
         let mut before = tokens.iter().filter(|t| t.range.end <= token.range.start && t.kind == Kind::Ident);
         let word = |t: &Token| text.get(t.range.shifted(chunk.range.start).bytes());
         let category = before.next_back().and_then(word) == Some("category");
-        return category.then(|| (range, of_category(written.trim_matches('"'))));
+        return category.then(|| (range, Word::Category(written.trim_matches('"'))));
     }
-    keywords::says(written).map(|text| (range, text))
+    Some((range, Word::Other(written)))
 }
 
 /// How large a thing of a category usually is, and what it is for.

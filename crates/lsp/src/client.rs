@@ -79,6 +79,8 @@ pub struct Client {
     pub annotates: bool,
     /// Has a command of its own that shows the room: it names it in `initializationOptions.commands`.
     pub shows: bool,
+    /// Draws pictures that are data in a text; others would show the data.
+    pub pictures: bool,
 }
 
 impl Client {
@@ -128,6 +130,7 @@ impl Client {
             },
             named: Named::read(&params["initializationOptions"]["model"]),
             annotates: at("/workspace/workspaceEdit/changeAnnotationSupport").is_object(),
+            pictures: params["initializationOptions"]["pictures"] == true,
             shows: has(&params["initializationOptions"]["commands"], SHOW),
         }
     }

@@ -146,7 +146,7 @@ export class Server implements vscode.Disposable {
     const options: LanguageClientOptions = {
       documentSelector: [{ scheme: "file", language: "scenelang" }, { scheme: "untitled", language: "scenelang" }, { scheme: "file", pattern: "**/*.layout.json" }],
       // "Show" of a code lens is a command of this extension.
-      initializationOptions: { languageModel: model === "editor" ? "client" : model, model: this.named(), commands: ["scenelang.show"] },
+      initializationOptions: { languageModel: model === "editor" ? "client" : model, model: this.named(), commands: ["scenelang.show"], pictures: true },
       middleware: this.middleware(),
       outputChannel: this.output,
       revealOutputChannelOn: RevealOutputChannelOn.Never,

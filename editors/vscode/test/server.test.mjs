@@ -94,6 +94,64 @@ check("what a layout breaks is underlined in the program, listed, counted and ex
   await e.page.keyboard.press("Escape");
 });
 
+check("a category is shown with its picture and its usual size", async () => {
+  const line = await lineOf('.category <- "');
+  const at = (await text(`${ROOM}.scene`)).split("\n")[line].indexOf('"') + 2;
+  await show(line, at);
+  await begin("editor.action.showHover");
+  await until("its size", async () => (await texts(".monaco-hover:not(.hidden) .hover-row")).some((row) => /usual size/.test(row)));
+  await until("its picture", async () => (await e.page.$$eval(".monaco-hover:not(.hidden) img", (all) => all.some((img) => img.complete && img.naturalWidth === 176))));
+  await shoot("category", "stays");
+  await e.page.keyboard.press("Escape");
+});
+
+/** Text of one's own at the end of the program, for as long as something is done; nothing of it stays. */
+async function withEnding(ending, act) {
+  const before = await text(`${ROOM}.scene`);
+  await e.api("const e = vscode.window.activeTextEditor; await e.edit((b) => b.insert(e.document.positionAt(e.document.getText().length), args.ending)); const end = e.document.positionAt(e.document.getText().length); e.selection = new vscode.Selection(end, end); e.revealRange(new vscode.Range(end, end), 2)", { ending });
+  try {
+    await act();
+  } finally {
+    await e.page.keyboard.press("Escape");
+    await e.api("const e = vscode.window.activeTextEditor; await e.edit((b) => b.replace(new vscode.Range(0, 0, e.document.lineCount, 0), args.before)); await e.document.save()", { before });
+  }
+}
+const offered = async () => (await texts(".suggest-widget.visible .monaco-list-row")).map((row) => row.split(" ")[0]);
+
+check("what is completed at the end of a file fits where it stands", async () => {
+  await show(0);
+  // Within an expression there are names, and no statements.
+  await withEnding("\nassert ", async () => {
+    await begin("editor.action.triggerSuggest");
+    const inside = await until("suggestions", async () => ((now) => now.length > 3 && now)(await offered()));
+    for (const word of ["region", "import", "predicate", "prefer"]) assert.ok(!inside.includes(word), `${word}: ${inside}`);
+  });
+  await withEnding("\n@re", async () => {
+    await begin("editor.action.triggerSuggest");
+    await until("@req", async () => (await offered()).some((word) => /^@?req/.test(word)));
+  });
+});
+
+check("a contradiction stays marked while one types elsewhere, and when program and layout are saved together", async () => {
+  await show(0);
+  const marks = () => e.api("return vscode.languages.getDiagnostics(vscode.window.activeTextEditor.document.uri).map((d) => d.code?.value ?? d.code)");
+  const contradicts = async () => (await marks()).some((code) => /^E040/.test(String(code)));
+  await withEnding("\nassert plant[0].top < 0.1 and plant[0].bottom > 0.2;", async () => {
+    await until("the contradiction", contradicts);
+    await e.page.keyboard.press("Enter");
+    for (let i = 0; i < 20; i += 1) {
+      assert.ok(await contradicts(), "after a newline");
+      await sleep(100);
+    }
+    await e.api("const d = await vscode.workspace.openTextDocument(vscode.Uri.file(args.ws + '/' + args.layout)); const w = new vscode.WorkspaceEdit(); w.insert(d.uri, d.positionAt(d.getText().length), '\\n'); await vscode.workspace.applyEdit(w); await Promise.all([vscode.window.activeTextEditor.document.save(), d.save()])", { layout: `${ROOM}.layout.json` });
+    for (let i = 0; i < 20; i += 1) {
+      await sleep(100);
+      if (i > 9) assert.ok(await contradicts(), "after saving both");
+    }
+  });
+  await until("no contradiction", async () => !(await contradicts()));
+});
+
 check("a task is run, says how it went, and its findings are problems", async () => {
   await show(0);
   const marks = () => e.api("return vscode.languages.getDiagnostics(vscode.Uri.file(args.ws + '/' + args.name)).map((d) => [d.range.start.line, d.severity, d.message])", { name: `${ROOM}.scene` });

@@ -637,6 +637,12 @@ pub struct Explain {
 pub struct Categories {
     /// List only categories that contain this word
     pub word: Option<String>,
+    /// Also write a picture of each listed category, CATEGORY.png, into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub pictures: Option<PathBuf>,
+    /// Overwrite files that scenelang did not write or that were edited
+    #[arg(long, requires = "pictures")]
+    pub force: bool,
     /// The output format
     #[arg(long, value_enum, default_value_t = Plain::Text)]
     pub format: Plain,

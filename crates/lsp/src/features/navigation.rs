@@ -5,12 +5,16 @@ use crate::change::WorkspaceChange;
 use crate::disk;
 use crate::dispatch::{Context, Fault};
 use crate::pages;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use scenelang_base::TextRange;
+use scenelang_export::specimen;
 use scenelang_ide::calls::{self, CallNode, Item};
 use scenelang_ide::names::{Role, name_at};
 use scenelang_ide::navigate::{self, NavigationTarget};
 use scenelang_ide::{Cancelled, Snapshot, hover as hovering, rename as renaming, symbols};
 use serde::Deserialize;
+use std::fmt::Write;
 use std::path::PathBuf;
 use tower_lsp::ls_types::{
     CallHierarchyIncomingCall, CallHierarchyItem, CallHierarchyOutgoingCall, DocumentHighlight, DocumentHighlightKind,
@@ -21,12 +25,20 @@ use tower_lsp::ls_types::{
 
 /// `textDocument/hover`
 pub fn hover(context: &Context, at: &At) -> Result<Option<Hover>, Fault> {
-    let found = hovering::hover(&context.snapshot, context.offset(at.position))?;
-    Ok(found.map(|(range, value)| Hover {
-        contents: HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value }),
-        range: Some(context.range(range)),
-    }))
+    let offset = context.offset(at.position);
+    let Some((range, mut value)) = hovering::hover(&context.snapshot, offset)? else { return Ok(None) };
+    if context.client.pictures
+        && let Some(category) = hovering::category_at(&context.snapshot, offset)
+        && let Some(png) = specimen::of_category(&category, PICTURE)
+    {
+        let _ = write!(value, "\n\n![{category}](data:image/png;base64,{})", STANDARD.encode(png));
+    }
+    let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value });
+    Ok(Some(Hover { contents, range: Some(context.range(range)) }))
 }
+
+/// How large the picture of a category is (pixels).
+const PICTURE: [usize; 2] = [176, 132];
 
 type Find = fn(&Snapshot, u32) -> Result<Option<(TextRange, NavigationTarget)>, Cancelled>;
 

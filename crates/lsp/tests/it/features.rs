@@ -28,6 +28,24 @@ fn slices(text: &str, ranges: &Value) -> Vec<String> {
     ranges.as_array().unwrap().iter().map(|r| slice(text, r.get("range").unwrap_or(r))).collect()
 }
 
+/// Only an editor that says so draws a picture; others would show its data.
+#[test]
+fn a_category_has_a_picture_where_the_editor_draws_it() {
+    let (folder, scene, _) = room();
+    for (options, drawn) in [(json!({ "pictures": true }), true), (Value::Null, false)] {
+        let mut client = Client::start_with(folder.path(), usual(), options);
+        let uri = client.open("room.scene", &scene);
+        let text = format!("{scene}bed.category <- \"bed\";\n");
+        client.set(&uri, &text);
+        let said = client.ask_at("hover", &uri, &text, "category <- \"b|ed\"");
+        let said = said["contents"]["value"].as_str().unwrap();
+        assert!(said.contains("usual size"), "{said}");
+        assert_eq!(said.contains("![bed](data:image/png;base64,iVBOR"), drawn, "{}", said.len());
+        assert!(said.len() < 90_000, "an editor cuts what is longer");
+        client.stop();
+    }
+}
+
 #[test]
 fn diagnostics_have_places_links_and_what_belongs_to_them() {
     let (_folder, mut client, uri, scene) = opened();
