@@ -45,4 +45,5 @@ pub use live::Live;
 pub use mirror::Mirror;
 pub use moved::moved;
 pub use pose::Pose;
+pub use rows::row_of;
 pub use state::State;

@@ -16,7 +16,7 @@ pub(crate) enum Goal {
 }
 
 /// The row of a statement.
-pub(crate) fn row_of(program: &Program, constraint: usize) -> RowRef {
+pub fn row_of(program: &Program, constraint: usize) -> RowRef {
     let kind = match program.constraints[constraint].kind {
         ConstraintKind::Assert => RowKind::Assert,
         ConstraintKind::Prefer { .. } => RowKind::Prefer,

@@ -22,7 +22,7 @@ use scenelang_verify::report::model::RowKind;
 /// What looking for a move may cost, in small comparisons.
 const BUDGET: usize = 120_000;
 /// What looking for one that repairs all that fails may cost: it is looked for once.
-const TOGETHER: usize = 3 * BUDGET;
+const TOGETHER: usize = 2 * BUDGET;
 /// So many objects of a row are tried.
 const OBJECTS: usize = 4;
 /// So many moves of one object are judged by all that they touch.

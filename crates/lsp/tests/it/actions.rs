@@ -125,13 +125,14 @@ fn the_smallest_move_is_offered_at_once() {
 #[test]
 fn no_offer_moves_what_is_locked() {
     let (folder, scene, _) = room();
+    let scene = format!("{scene}assert gap(bed, stand[1]) >= 0.03;\n");
     let mut client = Client::start(folder.path());
     let uri = client.uri("room.scene");
     // Before the program is opened, too.
     client.tell("scenelang/lock", json!({ "uri": uri, "objects": ["stand"] }));
     client.open("room.scene", &scene);
     client.published(&uri);
-    let offered = |client: &mut Client| client.offered(&uri, &scene, "assert g|ap(stand", Some("quickfix"));
+    let offered = |client: &mut Client| client.offered(&uri, &scene, "assert g|ap(bed", Some("quickfix"));
     let moved = |actions: &[Value]| -> Vec<String> {
         let moves = actions.iter().filter_map(|a| a["data"]["moves"].as_array()).flatten();
         moves.map(|m| m["object"].as_str().unwrap().to_owned()).collect()
@@ -144,11 +145,6 @@ fn no_offer_moves_what_is_locked() {
     client.tell("scenelang/lock", json!({ "uri": uri, "objects": ["stand", "bed"] }));
     let (_, why) = client.refused("codeAction/resolve", repair);
     assert!(why.ends_with("leaves what is locked in place: `bed`, `stand[0]`, `stand[1]`"), "{why}");
-    // The other one of the two may still go.
-    client.tell("scenelang/lock", json!({ "uri": uri, "objects": ["stand[1]"] }));
-    let all = offered(&mut client);
-    assert!(moved(&all).contains(&"stand[0]".to_owned()), "{:?}", moved(&all));
-    assert!(!moved(&all).contains(&"stand[1]".to_owned()));
     client.tell("scenelang/lock", json!({ "uri": uri, "objects": [] }));
     assert!(moved(&offered(&mut client)).contains(&"stand[1]".to_owned()));
     client.stop();

@@ -32,8 +32,9 @@ use judge::Judge;
 pub use relax::{Relaxed, in_statement};
 use scenelang_base::{Edit, SourceMap};
 use scenelang_engine::limit::Stop;
+use scenelang_engine::{Reads, row_of};
 use scenelang_lang::Program;
-use scenelang_lang::program::ObjectId;
+use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId};
 use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
 use scenelang_verify::check::Subject;
@@ -203,7 +204,7 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
     let moved = alternatives.iter().any(|a| a.how == How::Moves);
     // What can be moved contradicts nothing that is kept.
     let contradiction = if moved { None } else { contradiction(&judge, options) };
-    if !moved && contradiction.is_none() {
+    if !moved && contradiction.is_none() && !failing.iter().any(|row| is_stuck(&judge, row)) {
         alternatives.extend(moves::all(&judge, options, false));
         if alternatives.is_empty() {
             alternatives.extend(preference::drops(&judge, options));
@@ -219,6 +220,29 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
         a.how.cmp(&b.how).then(by_cost)
     });
     Ok(Repaired { failing, contradiction, alternatives })
+}
+
+/// Whether a row speaks of nothing but what stays where it is, locked or pinned, so that no move repairs it.
+fn is_stuck(judge: &Judge<'_>, row: &RowRef) -> bool {
+    let pinned = |owner: Owner, what: Pinned| {
+        let mut own = judge.program.pins.iter().filter(|pin| pin.owner == owner && pin.property == what);
+        // What is not where it is pinned may still go there.
+        own.any(|pin| !judge.failed(&row_of(judge.program, pin.constraint)))
+    };
+    let is_pinned = |owner: Owner, what: [Pinned; 2]| what.into_iter().all(|what| pinned(owner, what));
+    let stays = |id: &ObjectId| judge.locked.contains(id) || is_pinned(Owner::Object(*id), [Pinned::Pos, Pinned::Rot]);
+    match row.subject {
+        Subject::Statement(index) => {
+            let reads = Reads::of(&judge.program.constraints[index].formula);
+            let mut regions = reads.regions.iter();
+            !(reads.sees_all || reads.objects.is_empty())
+                && reads.variables.is_empty()
+                && reads.objects.iter().all(stays)
+                && regions.all(|id| is_pinned(Owner::Region(*id), [Pinned::Pos, Pinned::Scale]))
+        }
+        Subject::Pair(a, b) => stays(&a) && stays(&b),
+        Subject::Object(_) | Subject::Part(..) => false,
+    }
 }
 
 /// A smallest set of statements that no layout satisfies, if what is to be repaired belongs to one. No move can help then.
