@@ -147,6 +147,7 @@ codes! {
     W0401 "redundant: implied by other statements"
     W0402 "a statement that always holds"
     W0403 "program too large for the contradiction search"
+    W0404 "a preference that can never hold"
     W0501 "parts do not fill the box"
     W0502 "rooms closer together than their walls"
     W0503 "object inside a wall"

@@ -274,7 +274,13 @@ impl<'n, 'b> It<'n, 'b> {
         let sits = |i: &Thing| matches!(i.group, Group::Seat | Group::Bed) && i.room == self.item.room;
         let seated = self.named.screen(self.a) && self.named.brief.things.iter().any(sits);
         let (eyes, least, give) = if seated { (1.1, 0.5, 0.1) } else { (1.5, 0.6, 0.2) };
-        let low = number((eyes - height / 2.0).max(least));
+        // "a low cabinet under the screen": it hangs above that, whatever suits the eyes.
+        let below = self.named.brief.facts.iter().filter_map(|f| match &f.what {
+            FactKind::Rel(Rel::Under, to) if to.contains(&self.a) && !f.not => f.of.first(),
+            _ => None,
+        });
+        let top = below.map(|&under| self.named.sizes[under][1] + give + 0.05).fold(least, f64::max);
+        let low = number((eyes - height / 2.0).max(top));
         let test = |x: &str| format!("abs({x}.bottom - {low}) <= {}", number(give));
         out.infer(format!("prefer {};", self.named.all(self.a, test)), "at eye level");
     }

@@ -34,7 +34,7 @@ use scenelang_base::{Edit, SourceMap};
 use scenelang_engine::limit::Stop;
 use scenelang_engine::{Reads, row_of};
 use scenelang_lang::Program;
-use scenelang_lang::program::{ObjectId, Owner, Pinned, RegionId};
+use scenelang_lang::program::{ObjectId, Owner, Pinned};
 use scenelang_lang::sources::Loader;
 use scenelang_layout::Layout;
 use scenelang_verify::check::Subject;

@@ -26,6 +26,8 @@ const NEIGHBOURS: usize = 24;
 const WHOLE: u64 = 2;
 const SMALLER: u64 = 4;
 const ONE: u64 = 300;
+/// The part of the work that may go, beside all else, into preferences that can never hold.
+const PREFERENCES: u64 = 30;
 /// The work of a brief search, in sizes of its model: drawing all consequences once takes seven or eight.
 const BRIEF: u64 = 10;
 
@@ -103,7 +105,29 @@ impl<'a> Prover<'a> {
         findings.work_spent = self.spent;
         findings.complete = !self.short && !self.is_stopped();
         findings.too_large = self.too_large;
+        if self.options.redundant && findings.contradictions.is_empty() {
+            findings.hopeless = self.hopeless();
+        }
         findings
+    }
+
+    /// Preferences that cannot hold together with what is asserted around them. Those of the library are not looked at:
+    /// a room may go against many guidelines, and nobody wrote them for it.
+    fn hopeless(&mut self) -> Vec<Contradiction> {
+        let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
+        let own = |i: &usize| !self.is_hard(*i) && self.program.constraints[*i].guideline.is_none();
+        let preferences: Vec<usize> = (0..self.program.constraints.len()).filter(own).collect();
+        let neighbours = Neighbours::new(self.program, &hard);
+        self.spent = self.options.work - self.options.work / PREFERENCES;
+        let mut found = Vec::new();
+        for preference in preferences {
+            let mut among = neighbours.of(self.program, preference);
+            among.push(preference);
+            among.sort_unstable();
+            let set = self.contradiction(&among, ONE);
+            found.extend(set.filter(|set| set.statements.contains(&preference)));
+        }
+        found
     }
 
     /// See [`super::relax`].

@@ -9,7 +9,7 @@ use super::tape::{Claim, Op, Term};
 use super::{Contradiction, Findings, Proof, ProofStep};
 use rustc_hash::FxHashMap;
 use scenelang_base::{Diagnostic, Span, codes};
-use scenelang_lang::program::{BuiltIn, Node, ObjectId, Program};
+use scenelang_lang::program::{BuiltIn, ConstraintKind, Node, ObjectId, Program};
 use scenelang_lang::roles::role_of;
 
 /// Of a contradiction that rests on what is usual.
@@ -18,6 +18,7 @@ const AS_USUAL: &str = "this is impossible unless something is tilted or turned,
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
+    out.extend(findings.hopeless.iter().map(|c| contradiction(c, program)));
     for &statement in &findings.always {
         let place = program.constraints[statement].span;
         out.push(
@@ -54,11 +55,21 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     };
     // Where the reader looks first: at what is said of an object, rather than of what surrounds it.
     let speaks = |s: &usize| !of(*s).formula.objects().is_empty();
-    let main = found.statements.iter().copied().find(speaks).unwrap_or(found.statements[0]);
+    let is_preference = |s: &usize| matches!(of(*s).kind, ConstraintKind::Prefer { .. });
+    let preference = found.statements.iter().copied().find(is_preference);
+    let main = preference.or_else(|| found.statements.iter().copied().find(speaks)).unwrap_or(found.statements[0]);
     let mut members: Vec<(Span, &str)> = found.statements.iter().map(|s| (of(*s).span, of(*s).text.as_str())).collect();
     members.extend(found.definitions.iter().map(|d| &program.definitions[*d]).map(|d| (d.span, d.text.as_str())));
     members.sort_by_key(|(span, _)| (span.file, span.range.start));
     let mut finding = match members.len() {
+        1 if preference.is_some() => {
+            Diagnostic::new(codes::W0404, of(main).span, format!("this preference can never hold{rules}"))
+        }
+        n if preference.is_some() => {
+            let others = if n == 2 { "another statement".to_owned() } else { format!("{} other statements", n - 1) };
+            let say = format!("this preference can never hold because of {others}{rules}");
+            Diagnostic::new(codes::W0404, of(main).span, say)
+        }
         1 => Diagnostic::new(codes::E0402, of(main).span, format!("this statement can never hold{rules}")),
         n => Diagnostic::new(codes::E0401, of(main).span, format!("these {n} statements contradict each other{rules}")),
     };

@@ -171,6 +171,18 @@ impl Reader<'_> {
         (rel == Rel::Between && own && joined && fits && self.s.pending.is_none()).then_some((of, among))
     }
 
+    /// "It hangs on the wall, and a vase stands beside the sofa": a pronoun begins the clause, `followed` by what is said
+    /// of it. "It" is one thing, the last of those that were named together.
+    pub(super) fn on_subject(&mut self, of: Vec<usize>, word: &str, followed: bool) {
+        let begins = followed && self.s.expect == Expect::Nothing;
+        let single = |o: &&usize| !self.brief.things[**o].number.many();
+        let last = of.iter().rfind(single).filter(|_| begins && word == "it").copied();
+        self.main = last.map_or(of, |last| vec![last]);
+        self.near = self.main.clone();
+        self.s.subject |= begins;
+        self.apply_lead();
+    }
+
     /// What "its", "it" and "them" of a relation stand for.
     fn its(&mut self, i: usize, end: usize, rel: Rel) -> Vec<usize> {
         let text: Vec<&str> = self.chunks[i].at.clone().map(|t| self.tokens[t].text.as_str()).collect();

@@ -268,7 +268,9 @@ impl<'a> Reader<'a> {
         self.s.soft = first.is_some();
         self.s.soft_from = first.map_or(from, |soft| self.softened_from(soft, from, end));
         self.s.keep = words.iter().any(|c| matches!(c.piece, ChunkPiece::Verb(Verb::Keep) | ChunkPiece::Free));
-        self.s.path = words.iter().any(|c| {
+        // "a corridor, 8 m wide" is a room.
+        let is_room = |c: &Chunk| c.np().is_some_and(|np| np.kind == NounKind::Room);
+        self.s.path = words.iter().filter(|c| !is_room(c)).any(|c| {
             c.at.clone().any(|t| {
                 matches!(
                     self.tokens[t].text.as_str(),

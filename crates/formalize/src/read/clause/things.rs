@@ -286,11 +286,7 @@ impl Reader<'_> {
                 self.s.expect = Expect::Nothing;
             }
             _ if word == "other" => return,
-            _ if !self.s.subject && !dir.is_empty() => {
-                self.main = dir.clone();
-                self.near = dir;
-                self.apply_lead();
-            }
+            _ if !self.s.subject && !dir.is_empty() => self.on_subject(dir, word, followed),
             _ => {}
         }
         self.mark(i);
