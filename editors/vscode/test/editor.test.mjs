@@ -85,6 +85,21 @@ async function room({ page }) {
   });
 }
 
+/** Where in the preview the pointer is on an object, and its name: found as a user finds it. */
+async function pointed({ page }, frame, name) {
+  const area = await (await frame.$("canvas")).boundingBox();
+  return until(`the pointer on ${name}`, async () => {
+    for (let i = 0; i < 600; i += 1) {
+      const at = [area.x + area.width * (0.05 + 0.03 * (i % 30)), area.y + area.height * (0.05 + 0.045 * Math.floor(i / 30))];
+      await page.mouse.move(...at);
+      await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      const found = await frame.$eval(".tip", (tip) => (tip.hidden ? "" : tip.querySelector("strong").textContent));
+      if (name.test(found)) return { at, name: found };
+    }
+    return null;
+  });
+}
+
 check("the package is small, and the same each time", async () => {
   assert.ok(statSync(vsix.bare).size <= LIMIT, `${statSync(vsix.bare).size} bytes`);
   const again = join(folder, "again.vsix");
@@ -162,17 +177,7 @@ check("the preview shows the room; what is pressed is shown in the text, where t
 
 check("one chair of six that is pressed stays selected; its declaration speaks of all six", async (e) => {
   const frame = await room(e);
-  const canvas = await frame.$("canvas");
-  const area = await canvas.boundingBox();
-  const found = await until("a chair", async () => {
-    for (let i = 0; i < 600; i += 1) {
-      await e.page.mouse.move(area.x + area.width * (0.05 + 0.03 * (i % 30)), area.y + area.height * (0.05 + 0.045 * Math.floor(i / 30)));
-      await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-      const name = await frame.$eval(".tip", (tip) => (tip.hidden ? "" : tip.querySelector("strong").textContent));
-      if (/^chair\[\d\]$/.test(name)) return name;
-    }
-    return null;
-  });
+  const { name: found } = await pointed(e, frame, /^chair\[\d\]$/);
   await e.page.mouse.down();
   await e.page.mouse.up();
   const line = await lineOf(e, "object chair[6]");
@@ -220,17 +225,7 @@ check("the preview comes back when the window is loaded anew, and still follows 
 check("what is dragged changes the layout, and can be undone there", async (e) => {
   const frame = await room(e);
   await frame.evaluate(() => window.scenelang.select(null));
-  const canvas = await frame.$("canvas");
-  const area = await canvas.boundingBox();
-  const at = await until("the plant", async () => {
-    for (let i = 0; i < 600; i += 1) {
-      const [x, y] = [area.x + area.width * (0.05 + 0.03 * (i % 30)), area.y + area.height * (0.05 + 0.045 * Math.floor(i / 30))];
-      await e.page.mouse.move(x, y);
-      await frame.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-      if ((await frame.$eval(".tip", (tip) => (tip.hidden ? null : tip.querySelector("strong").textContent))) === "plant") return [x, y];
-    }
-    return null;
-  });
+  const { at } = await pointed(e, frame, /^plant$/);
   const verdict = () => frame.$eval('[data-row="5"] .margin', (margin) => margin.textContent);
   const before = await verdict();
   await e.page.mouse.move(...at);
@@ -365,6 +360,25 @@ check("an object is locked in the tree, and stays; of alternatives one is chosen
   await until("the one that was chosen", () => asked("scenelang.solveAnew").some(({ seed }) => seed === 2));
   await command(e, "notifications.clearAll");
   await command(e, "workbench.view.explorer");
+});
+
+check("the menu of the preview locks what the pointer is on", async (e) => {
+  await show(e, "meeting.scene");
+  const uri = await e.api("return vscode.window.activeTextEditor.document.uri.toString()");
+  await command(e, "scenelang.openPreview");
+  const frame = await room(e);
+  const { at } = await pointed(e, frame, /^plant$/);
+  await e.page.mouse.click(...at, { button: "right" });
+  // Menus are in a tree of their own.
+  const entry = (words) => e.page.$$eval(">>> .monaco-menu .action-label", (all, words) => all.map((label) => label.textContent).filter((text) => words.includes(text)), words);
+  await until("the menu", async () => (await entry(["Solve Only This", "Lock"])).length === 2);
+  await shoot("menu");
+  const [lock] = await e.page.$$(">>> .monaco-menu .action-label[aria-label='Lock']");
+  await lock.click();
+  const locked = () => logged("main").filter(({ locked }) => locked !== undefined).at(-1)?.locked.join();
+  await until("that the server knows", () => locked() === "plant");
+  await command(e, "scenelang.unlockObject", { object: "plant", uri });
+  await until("that the server knows of none", () => locked() === "");
 });
 
 check("intermediate forms are shown beside, and follow the text", async (e) => {

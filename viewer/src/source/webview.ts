@@ -34,6 +34,10 @@ export class Webview implements Source {
   private uri = "";
   private readonly shapes = new Shapes();
 
+  /** What the pointer is on. */
+  private pointed: string | null = null;
+  private readonly listens = new WeakSet<HTMLElement>();
+
   constructor(private readonly editor: EditorApi) {}
 
   start(sink: Sink): void {
@@ -54,8 +58,21 @@ export class Webview implements Source {
 
   /** The menu of the editor is told by this attribute what it is for. */
   point(picture: HTMLElement, object: string | null): void {
+    const around = picture.parentElement ?? picture;
     const about = object === null ? {} : { webviewSection: "object", object };
-    picture.dataset["vscodeContext"] = JSON.stringify({ uri: this.uri, ...about, preventDefaultContextMenuItems: true });
+    around.dataset["vscodeContext"] = JSON.stringify({ uri: this.uri, ...about, preventDefaultContextMenuItems: true });
+    this.pointed = object;
+    if (this.listens.has(picture)) return;
+    this.listens.add(picture);
+    // The right button moves the camera, whose controls call the menu off; the editor then shows none. On an object it is asked
+    // for anew, where the controls do not hear of it.
+    const menu = (e: MouseEvent) => {
+      if (this.pointed === null) return;
+      e.preventDefault();
+      e.stopImmediatePropagation();
+      around.dispatchEvent(new MouseEvent("contextmenu", { bubbles: true, cancelable: true, clientX: e.clientX, clientY: e.clientY }));
+    };
+    picture.addEventListener("contextmenu", menu, { capture: true });
   }
 
   reveal(pointed: Pointed): void {

@@ -166,7 +166,7 @@ fn categories_are_listed_and_suggested() {
     assert!(rows.iter().any(|row| row["category"] == "fridge" && row["size"].is_array()), "{listed}");
     let ended = scenelang(at, ["categories", "mini fridge", "--pictures", "seen"]);
     assert!(ended.code == 0 && ended.stderr.contains("1 picture written to seen"), "{ended:?}");
-    assert!(std::fs::read(at.join("seen/mini fridge.png")).unwrap().starts_with(b"\x89PNG"));
+    assert!(fs::read(at.join("seen/mini fridge.png")).unwrap().starts_with(b"\x89PNG"));
     let ended = scenelang(at, ["categories", "refridgerator"]);
     assert!(ended.code != 0 && ended.stderr.contains("refrigerator"), "{ended:?}");
 }
