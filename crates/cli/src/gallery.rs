@@ -8,7 +8,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use scenelang_assets::{AssetRequest, categories, families, family_of, furnish};
 use scenelang_base::fs::write_set;
-use scenelang_export::specimen;
+use scenelang_export::thumbnail;
 use scenelang_lang::library::usual_size;
 use scenelang_lang::nouns;
 use scenelang_layout::Vec3;
@@ -87,7 +87,7 @@ fn section(family: &str, pictures: &mut usize) -> Result<String, String> {
         });
         let opens = !asset.joints.is_empty();
         for open in [false, true].into_iter().filter(|open| !open || opens) {
-            let png = specimen::png(&noun, &asset, open, PICTURE).map_err(|e| e.to_string())?;
+            let png = thumbnail::png(&noun, &asset, open, PICTURE).map_err(|e| e.to_string())?;
             let [x, y, z]: [f64; 3] = asset.size.into();
             let state = match (opens, open) {
                 (false, _) => "",

@@ -6,7 +6,7 @@ use crate::replace::{self, May};
 use crate::{FAILED, GOOD, manual};
 use scenelang_assets::family_of;
 use scenelang_base::suggest;
-use scenelang_export::{OutFile, specimen};
+use scenelang_export::{OutFile, thumbnail};
 use scenelang_ide::{hover, keywords};
 use scenelang_lang::library;
 use scenelang_lang::natives;
@@ -215,7 +215,7 @@ fn pictures<'a>(names: impl Iterator<Item = &'a str>, folder: &Path, force: bool
     let progress = Progress::new("drawing");
     let draw = |name: &str| {
         progress.say(format!("drawing {name}"));
-        specimen::of_category(name, PICTURE).map(|png| OutFile::new(format!("{name}.png"), png))
+        thumbnail::of_category(name, PICTURE).map(|png| OutFile::new(format!("{name}.png"), png))
     };
     let files: Vec<OutFile> = names.filter_map(draw).collect();
     drop(progress);

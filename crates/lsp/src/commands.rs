@@ -76,10 +76,11 @@ impl State {
         let Argument { uri: program, seed, line, object, lock, only, propose } = params(first)?;
         let uri = program.as_str();
         let hold = Hold { lock, only };
+        let proposes = propose && command.starts_with("scenelang.repair");
         let shown_in = program.clone();
         let apply = Box::new(
             move |state: &mut State, id: &Id, outcome| {
-                if propose { state.propose(id, shown_in, outcome) } else { state.apply(id, outcome) }
+                if proposes { state.propose(id, shown_in, outcome) } else { state.apply(id, outcome) }
             },
         );
         match command.as_str() {

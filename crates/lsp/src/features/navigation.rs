@@ -8,7 +8,7 @@ use crate::pages;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use scenelang_base::TextRange;
-use scenelang_export::specimen;
+use scenelang_export::thumbnail;
 use scenelang_ide::calls::{self, CallNode, Item};
 use scenelang_ide::names::{Role, name_at};
 use scenelang_ide::navigate::{self, NavigationTarget};
@@ -29,7 +29,7 @@ pub fn hover(context: &Context, at: &At) -> Result<Option<Hover>, Fault> {
     let Some((range, mut value)) = hovering::hover(&context.snapshot, offset)? else { return Ok(None) };
     if context.client.pictures
         && let Some(category) = hovering::category_at(&context.snapshot, offset)
-        && let Some(png) = specimen::of_category(&category, PICTURE)
+        && let Some(png) = thumbnail::of_category(&category, PICTURE)
     {
         let _ = write!(value, "\n\n![{category}](data:image/png;base64,{})", STANDARD.encode(png));
     }

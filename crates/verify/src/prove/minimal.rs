@@ -106,14 +106,14 @@ impl<'a> Prover<'a> {
         findings.complete = !self.short && !self.is_stopped();
         findings.too_large = self.too_large;
         if self.options.redundant && findings.contradictions.is_empty() {
-            findings.hopeless = self.hopeless();
+            findings.unsatisfiable = self.unsatisfiable();
         }
         findings
     }
 
     /// Preferences that cannot hold together with what is asserted around them. Those of the library are not looked at:
     /// a room may go against many guidelines, and nobody wrote them for it.
-    fn hopeless(&mut self) -> Vec<Contradiction> {
+    fn unsatisfiable(&mut self) -> Vec<Contradiction> {
         let hard: Vec<usize> = (0..self.program.constraints.len()).filter(|&i| self.is_hard(i)).collect();
         let own = |i: &usize| !self.is_hard(*i) && self.program.constraints[*i].guideline.is_none();
         let preferences: Vec<usize> = (0..self.program.constraints.len()).filter(own).collect();
@@ -124,7 +124,7 @@ impl<'a> Prover<'a> {
             let mut among = neighbours.of(self.program, preference);
             among.push(preference);
             among.sort_unstable();
-            let set = self.contradiction(&among, ONE);
+            let set = self.minimal(&among, ONE);
             found.extend(set.filter(|set| set.statements.contains(&preference)));
         }
         found

@@ -68,7 +68,7 @@ pub struct Findings {
     /// Statements that cannot hold together: minimal sets, no two of which share a statement.
     pub contradictions: Vec<Contradiction>,
     /// Preferences that can never hold, each with the statements that rule it out: minimal sets.
-    pub hopeless: Vec<Contradiction>,
+    pub unsatisfiable: Vec<Contradiction>,
     /// Statements implied by others.
     pub redundant: Vec<Redundancy>,
     /// Statements that hold in every layout: indices into [`Program::constraints`].

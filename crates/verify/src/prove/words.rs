@@ -18,7 +18,7 @@ const AS_USUAL: &str = "this is impossible unless something is tilted or turned,
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
-    out.extend(findings.hopeless.iter().map(|c| contradiction(c, program)));
+    out.extend(findings.unsatisfiable.iter().map(|c| contradiction(c, program)));
     for &statement in &findings.always {
         let place = program.constraints[statement].span;
         out.push(

@@ -21,7 +21,7 @@ pub fn of_category(category: &str, pixels: [usize; 2]) -> Option<Vec<u8>> {
 pub fn png(noun: &str, asset: &Asset, open: bool, pixels: [usize; 2]) -> Result<Vec<u8>, ExportError> {
     let program = format!("object it;\nit.category <- \"{noun}\";\n");
     let Compiled { program: Some(program), sources, main, .. } =
-        compile_text("specimen.scene", Path::new("specimen.scene"), &program, scenelang_lang::Options::default())
+        compile_text("thumbnail.scene", Path::new("thumbnail.scene"), &program, scenelang_lang::Options::default())
     else {
         return Err(ExportError::Format("picture", "its program does not compile".into()));
     };
