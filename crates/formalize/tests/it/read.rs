@@ -116,6 +116,7 @@ fn rooms_and_their_sizes() {
         ("A living room (20 ft by 15 ft) with a sofa", "livingRoom 6.096 2.6 4.572"),
         ("My bedroom is 4 m wide and 5 m deep and has a bed.", "bedroom 4 2.6 5"),
         ("The board room is 9.5 metres long and 6 metres wide. A table.", "boardRoom 6 2.8 9.5"),
+        ("A corridor, 8 m wide, 24 m long, 4.5 m tall, with a bench.", "corridor 8 4.5 24"),
         ("Evacuation study, gymnasium: 20 m wide, 15 m long, 7 m high. A mat.", "gymnasium 20 7 15"),
         ("At the end of the beer cellar, a vaulted room of twelve metres by seven, a kettle.", "cellar 12 2.8 7"),
         ("A dining room, 4.2 m square, with a table", "diningRoom 4.2 2.6 4.2"),
