@@ -27,6 +27,9 @@ const ON_WALL: f64 = 0.1;
 /// What it is worth to see all fronts, and all that hangs on walls; a picture that is filled half is worth 1 less.
 const FRONTS: f64 = 2.0;
 const WALLS: f64 = 0.8;
+/// What it is worth to see all that hangs on walls and is large, in square metres: what a cinema or a classroom looks at.
+const LARGE: f64 = 1.5;
+const LARGE_SEEN: f64 = 2.5;
 /// A door or a window says less than a screen or a picture of the same size.
 const OPENING: f64 = 0.3;
 /// What is taller hides what stands behind it, metres.
@@ -51,10 +54,12 @@ impl View {
         let distance = |v: &Self| (v.eye - v.target).norm();
         let nearest = views.iter().map(distance).fold(f64::INFINITY, f64::min);
         let hung = hung(scene);
+        let large: Vec<(f64, Vec2)> = hung.iter().copied().filter(|(area, _)| *area > LARGE).collect();
         // Fronts count, what hangs on walls that are cut away is lost, and the picture should be filled.
         let value = |v: &Self| {
             let way = (v.eye - v.target).normalize();
-            FRONTS * fronts_seen(scene, way) - WALLS * lost(&hung, way) - (distance(v) / nearest - 1.0)
+            let missed = WALLS * lost(&hung, way) + LARGE_SEEN * lost(&large, way);
+            FRONTS * fronts_seen(scene, way) - missed - (distance(v) / nearest - 1.0)
         };
         views.into_iter().reduce(|best, v| if value(&v) > value(&best) + 1e-6 { v } else { best }).unwrap_or(views[0])
     }
@@ -152,11 +157,14 @@ fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
     scene.objects.iter().map(value).sum::<f64>() / all
 }
 
-/// Whether an object is in a wall or hangs on it; the wall runs along an edge of a floor.
+/// Whether an object is in a wall or hangs on it; the wall runs along an edge of a floor. What hangs in a corner of a room
+/// also touches the wall beside it, which is not the one that it has at its back.
 pub fn hangs_on(object: &Object, from: Vec2, to: Vec2) -> bool {
     let near = |p: Vec2| (nearest_on_segment(&p, &from, &to) - p).norm() <= ON_WALL;
     let place = Obb::from_placement(&object.place);
-    object.body != Body::Free && (near(place.center.xz()) || place.corners().iter().any(|c| near(c.xz())))
+    let faces_away = || outward(from, to).dot(&object.axes.column(2).xz()).abs() > 0.7;
+    object.body != Body::Free
+        && (near(place.center.xz()) || (faces_away() && place.corners().iter().any(|c| near(c.xz()))))
 }
 
 /// What is in walls or hangs on them: the weight of each, which is its area, and the way out through its wall.

@@ -1,7 +1,8 @@
 //! Plan and picture.
 
 use crate::fixture::{named, scene};
-use scenelang_export::scene::View;
+use scenelang_export::scene::view::hangs_on;
+use scenelang_export::scene::{Role, View};
 use scenelang_export::{Exporter, Scene, picture, plan};
 use std::collections::BTreeSet;
 
@@ -87,6 +88,31 @@ fn a_wall_on_which_something_hangs_is_not_cut_away() {
         let view = View::of(&scene, 1.6);
         let way = view.eye - view.target;
         assert!(way.x * out[0] + way.z * out[1] < 0.0, "{pos:?}: {view:?}");
+    }
+}
+
+#[test]
+fn what_hangs_in_a_corner_hangs_on_the_wall_behind_it_alone() {
+    // Otherwise it is left out of the picture when the wall beside it is cut away.
+    for (pos, turn) in [([1.58, 1.4, 1.98], 180.0), ([-1.98, 1.4, -1.58], 90.0), ([-1.58, 1.4, -1.98], 0.0)] {
+        let mut parts = crate::fixture::parts();
+        for (name, placement) in &mut parts.layout.objects {
+            if name == "picture" {
+                (placement.pos, placement.rot) = (pos.into(), [0.0, turn, 0.0].into());
+            }
+        }
+        let scene = parts.build().unwrap();
+        let painting = scene.objects.iter().find(|o| o.name == "picture").unwrap();
+        let walls: BTreeSet<String> = scene
+            .shells
+            .iter()
+            .filter_map(|shell| match shell.role {
+                Role::Wall { from, to } if hangs_on(painting, from, to) => Some(to - from),
+                _ => None,
+            })
+            .map(|along| if along.x.abs() > along.y.abs() { "along x" } else { "along z" }.to_owned())
+            .collect();
+        assert_eq!(walls.len(), 1, "{pos:?}: {walls:?}");
     }
 }
 
