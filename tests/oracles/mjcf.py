@@ -15,7 +15,7 @@ import numpy as np
 
 OVERLAP = 0.002  # metres two shapes may share, at the beginning and at the end
 DRIFT = 0.02  # metres a body may move while it settles
-AJAR = {int(mujoco.mjtJoint.mjJNT_HINGE): np.radians(1), int(mujoco.mjtJoint.mjJNT_SLIDE): 0.005}  # how far a joint may open
+AJAR = {int(mujoco.mjtJoint.mjJNT_HINGE): np.radians(0.5), int(mujoco.mjtJoint.mjJNT_SLIDE): 0.001}  # how far a joint may open
 
 
 def deepest(model, data):

@@ -2,7 +2,11 @@
 //! Pixar's USD library, a browser. The scripts that call them are in `tests/oracles/`.
 
 use crate::support::{browser, folder_with, for_each_example, has_node_package, python, root, run, scenelang, skip};
+use scenelang_base::FileId;
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::{Options, Program, compile_file};
+use scenelang_layout::{Layout, file};
+use scenelang_verify::{World, opening};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -39,7 +43,7 @@ pub(crate) fn judge(what: &str, command: &mut Command) -> Option<String> {
 /// What a physics engine has to know of a program: what is held, and what may overlap.
 pub(crate) fn facts(program: &Program) -> serde_json::Value {
     let allow = &program.allow;
-    let name = |id: &scenelang_lang::program::ObjectId| program.objects[id.0 as usize].name.as_str();
+    let name = |id: &ObjectId| program.objects[id.0 as usize].name.as_str();
     let mounted = allow.mounts.iter().map(|m| &m.object);
     let doors = allow.doors.iter().map(|d| &d.object);
     let held: Vec<_> = mounted.chain(doors).chain(&allow.float).map(name).collect();
@@ -48,11 +52,32 @@ pub(crate) fn facts(program: &Program) -> serde_json::Value {
     json!({ "held": held, "overlap": overlap })
 }
 
+/// How far each door, drawer and lid of a layout is claimed to open, and what is not in its way.
+fn openings(program: &Program, layout: &Layout) -> serde_json::Value {
+    let options = scenelang_verify::Options::default();
+    let world = World::<f64>::new(program, layout, &options);
+    let mut found = Vec::new();
+    for (i, object) in program.objects.iter().enumerate() {
+        let id = ObjectId(i as u32);
+        let others = (0..program.objects.len()).filter(|other| *other != i);
+        let aside = others.filter(|other| opening::gives_way(&world, id, ObjectId(*other as u32)));
+        let ignored: Vec<&str> = aside.map(|other| program.objects[other].name.as_str()).collect();
+        for (part, joint) in layout.object(&object.name).map_or(&[][..], |it| &it.joints).iter().enumerate() {
+            let (free, _) = opening::free(&world, id, part, joint.limits[1], &mut { opening::LOOKS }).unwrap();
+            found.push(json!({ "object": object.name.as_str(), "joint": joint.name.as_str(), "free": free, "ignored": ignored }));
+        }
+    }
+    found.into()
+}
+
 /// The files for simulators, each loaded by a reader that is not ours, and the bounds of all things in all formats.
-fn simulators(out: &Path, name: &str, python: &Path) -> Vec<String> {
+fn simulators(out: &Path, name: &str, python: &Path, program: &Program) -> Vec<String> {
     let at = |file: String| out.join(file);
     let world = std::fs::read_dir(out.join("sdf")).unwrap().map(|e| e.unwrap().path()).find(|p| p.is_file()).unwrap();
     let layout = at(format!("{name}.layout.json"));
+    let placed = file::read(&std::fs::read_to_string(&layout).unwrap(), FileId(0)).layout;
+    let claims = out.join("claims.json");
+    std::fs::write(&claims, openings(program, &placed).to_string()).unwrap();
     let (usd, usdz) = (at(format!("{name}.usda")), at(format!("{name}.usdz")));
     let (mjcf, told) = (at(format!("{name}.mjcf.xml")), at(format!("{name}.mjcf.json")));
     let call = |script: &str| {
@@ -61,7 +86,8 @@ fn simulators(out: &Path, name: &str, python: &Path) -> Vec<String> {
         command
     };
     [
-        judge("MuJoCo", call("mjcf.py").args([mjcf, told])),
+        judge("MuJoCo", call("mjcf.py").args([&mjcf, &told])),
+        judge("joints", call("driven.py").args([&mjcf, &layout, &claims])),
         judge("USD", call("usd.py").args([usd, usdz])),
         judge("SDF", call("sdf.py").arg(world)),
         judge("bounds", call("bounds.py").args([&layout, out])),
@@ -98,7 +124,7 @@ mod agree_on_every_example {
                 let command = &mut Command::new(&python);
                 found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(&facts_file)));
             }
-            found.extend(simulators(&out, name, &python));
+            found.extend(simulators(&out, name, &python, &program));
         } else {
             skip("Unity project, physics and files for simulators not checked: no .venv");
         }
@@ -140,7 +166,8 @@ fn names_that_are_hard_to_write_break_no_format() {
     let out = synth(folder.path(), &scene);
     match python() {
         Some(python) => {
-            let found = simulators(&out, name, &python);
+            let program = compile_file(name, &scene, Options::default()).program.expect("it was solved");
+            let found = simulators(&out, name, &python, &program);
             assert!(found.is_empty(), "{}", found.join("\n"));
         }
         None => skip("files for simulators not checked: no .venv"),
