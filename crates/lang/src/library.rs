@@ -86,9 +86,12 @@ pub fn categories() -> &'static [(String, [f64; 3])] {
     })
 }
 
-/// Whether anything is known of a category: a usual size, or what it is for.
+/// Whether anything is known of a category, or of what its last words name ("wolf pelt" is a pelt): a usual size, or what
+/// it is for.
 pub fn is_known(category: &str) -> bool {
-    usual_size(category).is_some() || !crate::roles::role_of(category).is_empty()
+    let words = words(category);
+    let named = || (1..words.len()).any(|skip| crate::nouns::noun(&words[skip..].join("_")).is_some());
+    usual_size(category).is_some() || !crate::roles::role_of(category).is_empty() || named()
 }
 
 /// The known category whose name is most like one that is not known: as a whole, or by its last word.
