@@ -9,7 +9,7 @@ use crate::{FAILED, FINDINGS, GOOD, input, interrupt, replace, settings};
 use scenelang_base::door::Door;
 use scenelang_formalize::brief::{Word, json};
 use scenelang_formalize::draft::{Statement, ThingOrigin};
-use scenelang_formalize::read::BECAME_NOTHING;
+use scenelang_formalize::read::{BECAME_NOTHING, PURPOSE};
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Brief, Options, Reading, of_brief, read, read_brief};
 use scenelang_layout::Layout;
@@ -299,7 +299,7 @@ pub fn notes(reading: &Reading) -> String {
         }
     }
     // Single words that became nothing are listed already.
-    for note in reading.draft.notes.iter().filter(|note| note.reason != BECAME_NOTHING) {
+    for note in reading.draft.notes.iter().filter(|note| ![BECAME_NOTHING, PURPOSE].contains(&note.reason.as_str())) {
         let _ = match note.at.is_empty() {
             true => writeln!(out, "  {}", note.reason),
             false => {

@@ -6,7 +6,7 @@ use super::openings::in_scene;
 use super::plan::{AtWall, Plan, for_people};
 use super::slots::{Level, Slot, fences};
 use super::stand;
-use crate::draft::{DraftThing, ThingOrigin};
+use crate::draft::{Demand, DraftThing, ThingOrigin};
 use crate::names::{GivenNames, words};
 use scenelang_lang::nouns;
 use std::collections::BTreeMap;
@@ -477,13 +477,13 @@ impl Plan<'_> {
         let screens: Vec<String> = screens.map(name).collect();
         self.draft.statements.retain(|s| {
             // What stands on its stand does not hang on a wall; a mirror hangs above what it goes with.
-            let raised = s.text.starts_with("prefer") && s.text.contains(".bottom");
+            let raised = s.demand == Demand::Prefer && s.text.contains(".bottom");
             let mounted = s.text.contains("wallMounted(") || raised;
             let of = |names: &[String]| words(&s.text).iter().any(|w| names.iter().any(|n| n == w));
             if !matches!(s.source, ThingOrigin::Stated(_)) && (mounted && of(&screens) || raised && of(&hung)) {
                 return false;
             }
-            let turns = s.text.starts_with("prefer") || s.text.contains("looksAt(") || s.text.contains("around(");
+            let turns = s.demand == Demand::Prefer || s.text.contains("looksAt(") || s.text.contains("around(");
             !(turns && for_people(&s.source) && words(&s.text).iter().any(|w| names.iter().any(|n| n == w)))
         });
     }

@@ -248,9 +248,10 @@ impl Plan<'_> {
         self.line_of(at).is_some()
     }
 
-    /// How many of a line's things there are for seats that are asked for and stand at them.
+    /// How many of a line's things there are for seats that are asked for and stand at them. A bin stands at one of them.
     pub(super) fn tables(&self, line: &Line) -> Option<usize> {
-        let seats = (0..self.draft.things.len()).find(|at| self.line_of(*at) == Some(line))?;
+        let is_seat = |at: &usize| stand::group(&self.draft.things[*at].category) == Group::Seat;
+        let seats = (0..self.draft.things.len()).filter(is_seat).find(|at| self.line_of(*at) == Some(line))?;
         spread(line, self.draft.things[seats].count)
     }
 

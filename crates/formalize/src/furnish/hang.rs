@@ -8,10 +8,11 @@ use super::floor::{Floor, Pose, Shape};
 use super::inventory::{APART, EYES, HUNG_SCREEN};
 use super::kinds::{Line, PlanPlace};
 use super::plan::{AtWall, Plan};
+use super::seek::Wall;
 use super::spots::{around_hung, near, near_to, nominal, watched_from};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::{DraftThing, ThingOrigin};
+use crate::draft::{Demand, DraftThing, Statement, ThingOrigin};
 use crate::names::words;
 
 /// A table that is as long has its lamps over it (metres).
@@ -20,6 +21,10 @@ const LONG: f64 = 1.5;
 const LIT: [&str; 2] = ["island", "breakfast_bar"];
 /// So many lamps hang in a line over a table, or along the room.
 const LAMPS: usize = 4;
+/// How far from the middle of a wall what is said to hang on one wall is moved along it (metres).
+const ALONG: [f64; 9] = [0.0, -0.4, 0.4, -0.8, 0.8, -1.4, 1.4, -2.0, 2.0];
+/// So many boards hang side by side before those who look at them.
+const ABREAST: usize = 3;
 /// The most that are hung one by one.
 const MOST: usize = 8;
 
@@ -27,18 +32,37 @@ const MOST: usize = 8;
 pub fn waits(plan: &Plan, at: usize) -> bool {
     let thing = &plan.draft.things[at];
     let mounted = |text: &str| text.contains("wallMounted(") || text.contains("ceilingMounted(");
-    let hangs = |text: &str| mounted(text) && words(text).contains(&thing.name.as_str());
+    let about = |text: &str| words(text).contains(&thing.name.as_str());
+    let hangs = |text: &str| mounted(text) && about(text);
+    // "Two boards on one wall": on which is not said.
+    let said = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)) && about(&s.text));
+    let somewhere = said.clone().count() > 0
+        && said.clone().all(|s| s.demand == Demand::Must && (s.text.contains("wallMounted(") || at_one_wall(&s.text)));
     let from_ceiling = stand::group(&thing.category) == Group::Ceiling && thing.count <= LAMPS;
     plan.ground.is_some()
         && thing.count <= MOST
         && (from_ceiling || matches!(stand::group(&thing.category), Group::Wall | Group::Screen))
-        && plan.draft.statements.iter().any(|s| !matches!(s.source, ThingOrigin::Stated(_)) && hangs(&s.text))
-        && !plan.is_placed(at)
+        && (somewhere
+            || plan.draft.statements.iter().any(|s| !matches!(s.source, ThingOrigin::Stated(_)) && hangs(&s.text))
+                && !plan.is_placed(at))
 }
 
-/// Whether such rooms have a place of its own for it, as a classroom for its board.
+/// Whether it is said that several things are at the wall of the first of them.
+fn at_one_wall(text: &str) -> bool {
+    text.contains(".front, ") && text.ends_with(".front) >= 0.9")
+}
+
+/// Whether such rooms have a place of its own for it, as a classroom for its board, or it needs a wall for itself.
 pub fn has_place(plan: &Plan, at: usize) -> bool {
     line(plan, at).is_some_and(|line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)))
+        || is_row(plan, at)
+}
+
+/// Whether several things are said to hang on one wall.
+fn is_row(plan: &Plan, at: usize) -> bool {
+    let it = &plan.draft.things[at];
+    let said = |s: &Statement| at_one_wall(&s.text) && words(&s.text).contains(&it.name.as_str());
+    it.count > 1 && plan.draft.statements.iter().any(said)
 }
 
 fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
@@ -148,12 +172,21 @@ pub fn up(plan: &mut Plan, at: usize) {
         parted: false,
         exit: None,
     };
-    let own = line.filter(|line| it.count == 1 && matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)));
+    let is_own = |line: &&Line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_));
+    let own = line.filter(|line| it.count <= ABREAST && is_own(line));
     let own = own.map(|line| (line, nominal(plan, line, size, y)));
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
-        let own = own.and_then(|(line, nominal)| near(line, floor, shape, nominal));
+        // Two of them hang side by side where one would.
+        let aside = (before.len() as f64 - (it.count as f64 - 1.0) / 2.0) * (size[0] + APART[1]);
+        let own = own
+            .and_then(|(line, nominal)| near(line, floor, shape, nominal.then(&Pose { x: aside, ..Pose::default() })));
         own.or_else(|| choice.hung(floor, shape, before, y))
     };
+    if own.is_none() && is_row(plan, at) {
+        let placed = APART.iter().any(|beside| side_by_side(plan, at, (size, y), *beside));
+        plan.lacking += usize::from(!placed);
+        return;
+    }
     for beside in APART {
         let free = around_hung(&noun, size, beside);
         let root =
@@ -171,4 +204,23 @@ pub fn up(plan: &mut Plan, at: usize) {
         let text = place::absolute(&it.name, &plan.room_name(), [pose.x, pose.y, pose.z], pose.yaw);
         plan.say(format!("prefer {text};"), "it usually stands there in such a room");
     }
+}
+
+/// Hangs several things in a row on the first wall that has room for all of them. Whether there is one.
+fn side_by_side(plan: &mut Plan, at: usize, (size, y): ([f64; 3], f64), beside: f64) -> bool {
+    let (noun, n) = (plan.draft.things[at].category.replace('_', " "), plan.draft.things[at].count);
+    let step = size[0] + if noun.ends_with("gym mirror") { 0.0 } else { beside };
+    let tries = Wall::ALL.iter().flat_map(|wall| ALONG.iter().map(move |along| (*wall, *along)));
+    tries.into_iter().any(|(wall, middle)| {
+        let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
+            let along = middle + (before.len() as f64 - (n as f64 - 1.0) / 2.0) * step;
+            let pose = Pose { y, ..wall.place(floor.size, along, size[2] / 2.0) };
+            floor.fits(shape, &pose).then_some(pose)
+        };
+        let free = around_hung(&noun, size, beside / 2.0);
+        plan.place_asked(
+            at,
+            &Root { n, frames: vec![Pose::default()], wall: AtWall::No, free, whole: false, seek: &seek },
+        )
+    })
 }

@@ -281,7 +281,11 @@ impl<'a> Plan<'a> {
     /// Adds a statement.
     #[expect(clippy::needless_pass_by_value, reason = "callers make the text for this call")]
     pub fn say(&mut self, text: String, why: &str) {
-        self.draft.statements.push(Statement::new(&text, ThingOrigin::Inferred(why.to_owned())));
+        let statement = Statement::new(&text, ThingOrigin::Inferred(why.to_owned()));
+        let is_same = |s: &Statement| s.demand == statement.demand && s.text == statement.text;
+        if !self.draft.statements.iter().any(is_same) {
+            self.draft.statements.push(statement);
+        }
     }
 
     /// The name by which the table of groups knows a thing: its own, or that of what such rooms have instead. An armchair in

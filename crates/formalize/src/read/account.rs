@@ -19,6 +19,8 @@ pub struct Account {
 /// Why there is a note on a word that nothing came of and that seems to change nothing.
 pub const BECAME_NOTHING: &str = "this word was not used";
 const BECAME_NOTHING_MANY: &str = "these words were not used";
+/// Why there is a note on whom or what something is for.
+pub const PURPOSE: &str = "this says what it is for or for whom, and no statement needs that";
 
 /// Accounts for the words. `used`: which tokens became part of the brief. `grammar`: which belong to verbs and the like
 /// and say nothing of their own. `noted`: what the reader has reported.
@@ -28,8 +30,9 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
         let at = tokens[clause.start].at.start..tokens[clause.end - 1].at.end;
         let own: Vec<usize> = clause.clone().filter(|i| says_something(tokens, *i, grammar)).collect();
         out.words.extend(own.iter().map(|i| Word { at: tokens[*i].at.clone(), used: used[*i] }));
-        out.clauses.push(Clause { at: at.clone(), understood: own.iter().all(|i| used[*i]) });
-        if !own.is_empty() && own.iter().all(|i| !used[*i]) {
+        let understood = own.iter().all(|i| used[*i] || is_purpose(tokens, *i));
+        out.clauses.push(Clause { at: at.clone(), understood });
+        if !understood && own.iter().all(|i| !used[*i]) {
             out.notes.push(Note { at, reason: "nothing was understood here".into() });
             continue;
         }
@@ -53,11 +56,29 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
             let left: Vec<usize> = run.iter().filter(untold).copied().collect();
             let (Some(from), Some(to)) = (left.first(), left.last()) else { continue };
             let at = tokens[*from].at.start..tokens[*to].at.end;
-            let reason = if left.len() == 1 { BECAME_NOTHING } else { BECAME_NOTHING_MANY };
+            let reason = match left.len() {
+                _ if left.iter().all(|i| is_purpose(tokens, *i)) => PURPOSE,
+                1 => BECAME_NOTHING,
+                _ => BECAME_NOTHING_MANY,
+            };
             out.notes.push(Note { at, reason: reason.into() });
         }
     }
     out
+}
+
+/// "For customers", "for the children", "for reading": a purpose, of which nothing in the room follows.
+fn is_purpose(tokens: &[Token], i: usize) -> bool {
+    const BEFORE: [&str; 11] = ["the", "my", "our", "your", "their", "his", "her", "a", "an", "some", "all"];
+    let lexicon = get();
+    let word = &tokens[i];
+    let abstracts = lexicon.is(&word.text, Class::Abstract) || lexicon.is(&word.text, Class::Person);
+    let one = ["her", "him", "them", "us", "me", "myself", "everyone"].iter().any(|who| word.is(who));
+    if !word.word() || !(abstracts || one || word.text.ends_with("ing")) {
+        return false;
+    }
+    let mut before = tokens[..i].iter().rev().skip_while(|t| BEFORE.iter().any(|word| t.is(word)));
+    before.next().is_some_and(|t| t.is("for"))
 }
 
 /// Words that became nothing, as far as no used word stands between them.

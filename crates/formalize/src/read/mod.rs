@@ -40,7 +40,7 @@ use crate::draft::{Draft, Note};
 use crate::furnish::{furnish, has_place_for_first};
 use crate::reconcile::{reconcile, reconcile_quickly};
 use account::Account;
-pub use account::BECAME_NOTHING;
+pub use account::{BECAME_NOTHING, PURPOSE};
 use chunk::ChunkPiece;
 use std::ops::Range;
 use token::Token;

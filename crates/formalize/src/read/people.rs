@@ -32,7 +32,7 @@ pub fn places(tokens: &[Token]) -> Option<(usize, usize)> {
 
 /// How many people, and the tokens that say so.
 fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
-    const GROUPS: [&str; 6] = ["family", "group", "team", "class", "party", "crew"];
+    const GROUPS: [&str; 8] = ["family", "group", "team", "class", "party", "crew", "staff", "household"];
     const MOST: f64 = 120.0;
     const AT_ONE: f64 = 4.0;
     (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {

@@ -2,7 +2,9 @@
 //! clause and has no statement makes none.
 
 use proptest::prelude::*;
+use scenelang_formalize::brief::Word;
 use scenelang_formalize::draft::ThingOrigin;
+use scenelang_formalize::read::PURPOSE;
 use scenelang_formalize::{Options, Reading, read};
 
 const LITERAL: Options = Options { literal: true };
@@ -44,13 +46,17 @@ fn what_is_not_understood_makes_no_statement() {
     assert!(seen > 10);
 }
 
-/// A clause is understood if all its words are; a word that nothing came of is in a note.
+/// A clause is understood if all its words are, but for those that say whom or what something is for; a word that nothing
+/// came of is in a note.
 fn accounted(request: &str) {
     let reading = read(request, &LITERAL);
     assert_eq!(reading.read.iter().filter(|clause| clause.1).count(), reading.understood, "{request}");
     for (at, understood) in &reading.read {
         let own = reading.words.iter().filter(|word| at.start <= word.at.start && word.at.end <= at.end);
-        assert_eq!(*understood, own.clone().all(|word| word.used), "{request}: {:?}", &request[at.clone()]);
+        let purposes = || reading.draft.notes.iter().filter(|note| note.reason == PURPOSE);
+        let is_purpose = |word: &Word| purposes().any(|n| n.at.start <= word.at.start && word.at.end <= n.at.end);
+        let accounted = own.clone().all(|word| word.used || is_purpose(word));
+        assert_eq!(*understood, accounted, "{request}: {:?}", &request[at.clone()]);
     }
     let silent: Vec<&str> = reading.silent().into_iter().map(|at| &request[at]).collect();
     assert!(silent.is_empty(), "{request}: {silent:?}");
@@ -59,6 +65,18 @@ fn accounted(request: &str) {
 #[test]
 fn no_word_is_lost_in_silence() {
     crate::support::requests().iter().for_each(|request| accounted(request));
+}
+
+#[test]
+fn whom_something_is_for_is_no_demand() {
+    for request in ["A lounge for guests", "A bench for visitors and a chair for reading", "A desk for my daughter"] {
+        let reading = read(request, &LITERAL);
+        assert_eq!(reading.understood, reading.clauses, "{request}");
+        assert!(reading.draft.notes.iter().all(|note| note.reason == PURPOSE), "{request}: {:?}", reading.draft.notes);
+    }
+    // What is no purpose is lost all the same.
+    let reading = read("A bench for visitors to the gloaming", &LITERAL);
+    assert_eq!(reading.understood, 0, "{:?}", reading.draft.notes);
 }
 
 proptest! {

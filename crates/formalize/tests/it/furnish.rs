@@ -167,6 +167,10 @@ fn there_is_a_place_for_each_of_so_many_people() {
         ("A dining room with a round table for six.", "chair", 6),
         ("A meeting room for ten people.", "chair", 10),
         ("A classroom for sixteen students.", "chair", 16),
+        ("An office for five developers.", "desk", 5),
+        ("An office for a staff of four.", "desk", 4),
+        // One bin is at one of the desks.
+        ("An office for a team of five with a printer corner and a bin.", "desk", 5),
     ] {
         assert!(count(&draft(request), noun).abs_diff(n) <= 1, "{request}: {}", count(&draft(request), noun));
     }

@@ -244,6 +244,9 @@ impl Named<'_> {
                             !f.not && matches!(f.what, FactKind::Place(_, Place::Wall, _)) && !f.of.contains(&a);
                         f.of.first().copied().filter(|b| at_wall && here(*b))
                     });
+                    if w == "same" && other.is_none() {
+                        return self.at_one_wall(k, a);
+                    }
                     // Opposite to what was spoken of before, if nothing was said of a wall.
                     let stands = |b: &usize| {
                         here(*b) && matches!(self.group(*b), Group::Bed | Group::Seat | Group::Table | Group::Storage)
@@ -252,10 +255,23 @@ impl Named<'_> {
                     let test = if w == "same" { ">= 0.9" } else { "<= -0.9" };
                     return Some(self.all(a, |x| format!("dot({x}.front, {b}.front) {test}")));
                 }
+                (_, "one") => return self.at_one_wall(k, a),
                 _ => {}
             }
         }
         None
+    }
+
+    /// "Mirrors on one wall": their backs are at the wall that the first of them has at its back.
+    fn at_one_wall(&self, k: usize, a: usize) -> Option<String> {
+        let first = *self.brief.facts[k].of.first()?;
+        let lead = self.elements(first).first()?.clone();
+        if a != first {
+            return Some(self.all(a, |x| format!("dot({x}.front, {lead}.front) >= 0.9")));
+        }
+        let n = self.counts[a];
+        let name = self.name(a);
+        (n > 1).then(|| format!("forall i in 1..{n}: dot({name}[i].front, {lead}.front) >= 0.9"))
     }
 
     /// In which part of the room.

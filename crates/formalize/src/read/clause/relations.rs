@@ -199,9 +199,14 @@ impl Reader<'_> {
         }
     }
 
-    fn relate_place(&mut self, said: Said, place: Place, which: Vec<String>) {
+    fn relate_place(&mut self, said: Said, place: Place, mut which: Vec<String>) {
         let Said { i, next, end, rel, of, negative, before_subject } = said;
         let chunks = self.chunks;
+        // "Mirrors on one wall": all of them.
+        let named = chunks[i + 1..next].iter().flat_map(|c| &self.tokens[c.at.clone()]);
+        if place == Place::Wall && named.clone().any(|t| t.is("one") || t.is("single")) {
+            which.push("one".to_owned());
+        }
         self.mark(i);
         if let Some(m) = self.s.pending.take() {
             match place {

@@ -660,6 +660,7 @@ impl Reader<'_> {
             let comma = (k..next).any(|c| chunks[c].piece == ChunkPiece::Comma);
             if and && joined && matches!(self.s.expect, Expect::With(..))
                 || comma && self.unlike(group[..].first(), next)
+                || and && self.stands_apart(group[..].first(), next)
             {
                 over = true;
                 break;
@@ -716,6 +717,15 @@ impl Reader<'_> {
             Join::Usual => self.s.of_room && !self.s.verb && group != self.brief.things[*first].group,
             Join::Above => false,
         }
+    }
+
+    /// "A living room with a cabinet with vases and a sofa": what is no part of a cabinet and cannot stand on it is of the room.
+    fn stands_apart(&self, first: Option<&usize>, next: usize) -> bool {
+        let Expect::With(owner, Join::Usual) = &self.s.expect else { return false };
+        let (Some(first), Some(group)) = (first, self.chunks[next].np().and_then(|np| np.group)) else { return false };
+        let holds = owner.iter().all(|o| self.brief.things[*o].group == Group::Storage);
+        let large = matches!(group, Group::Seat | Group::Bed | Group::Table);
+        holds && large && !self.s.each && group != self.brief.things[*first].group
     }
 
     /// Whether the verb after one thing in the singular is one of several: "a sofa and a table occupy the middle".
