@@ -144,6 +144,7 @@ codes! {
     W0304 "statement without effect"
     W0305 "object only kept out of a region"
     W0306 "invalid `Measured:` template"
+    W0307 "range that leaves out an element"
     W0401 "redundant: implied by other statements"
     W0402 "a statement that always holds"
     W0403 "program too large for the contradiction search"

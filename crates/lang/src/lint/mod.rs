@@ -15,6 +15,7 @@
 //! | `sets` | W0302 empty sets |
 //! | `dead` | W0304 what makes no difference |
 //! | `outside` | W0305 kept out of a region |
+//! | `ends` | W0307 ranges that leave out one element |
 //! | `words` | W0306 templates of messages that cannot be used |
 //! | `allow` | comments that silence a warning, and W0103 those that do not |
 //! | `scope`, `shape`, `uses`, `facts` | what they are made from |
@@ -22,6 +23,7 @@
 pub mod allow;
 mod dead;
 mod degrees;
+mod ends;
 mod facts;
 mod hiding;
 mod outside;
@@ -101,6 +103,7 @@ pub fn program(names: &dyn Names, statements: &[Linted<'_>], errors: &[Code]) ->
     units::check(&facts, &mut out);
     sets::empty(&facts, &mut out);
     outside::check(&facts, &mut out);
+    ends::check(&facts, &mut out);
     let drawing = facts.closure(|s| s.uses.draws);
     dead::repeated(
         statements,

@@ -1,6 +1,7 @@
 //! What one statement says of the names and texts of a program: a summary that depends on the statement alone, from
 //! which the warnings about a whole program are made.
 
+use super::ends::{self, Indexing};
 use super::scope::{Binder, Scopes};
 use super::shape;
 use crate::ast::{BinaryOp, ExprId, ExprKind, Name, Quantifier, Stmt, StmtKind};
@@ -45,6 +46,10 @@ pub struct Uses {
     pub kept_out: Vec<(Option<SmolStr>, SmolStr, TextRange)>,
     /// The names in each other conjunct of an assertion that calls a predicate.
     pub together: Vec<Vec<SmolStr>>,
+    /// Quantifiers whose variable goes through indices of arrays.
+    pub indexing: Vec<Indexing>,
+    /// Elements of arrays that it names: array and index.
+    pub elements: Vec<(SmolStr, u32)>,
 }
 
 /// A text beside a property.
@@ -81,6 +86,11 @@ pub fn uses(stmt: &Stmt) -> Uses {
     let mut gather = Gather { stmt, scopes: &scopes, seen, called, filtered, out };
     for id in &scopes.order {
         gather.expr(*id);
+    }
+    (gather.out.indexing, gather.out.elements) = ends::of(stmt, &scopes);
+    if let StmtKind::Assign { name, index: Some(index), .. } = &stmt.kind {
+        let index = whole_number(stmt, *index).filter(|i| *i >= 0.0);
+        gather.out.elements.extend(index.map(|i| (name.text.clone(), i as u32)));
     }
     match &stmt.kind {
         StmtKind::Assign { path, value, .. } => {
