@@ -115,8 +115,34 @@ pub(super) fn fridge(a: &Ask) -> BuiltModel {
     m
 }
 
+/// What is lower is no oven (metres).
+const HOB: f64 = 0.3;
+
+/// A plate of dark glass with the marks of its rings, in a frame.
+fn hob(a: &Ask) -> BuiltModel {
+    let mut m = BuiltModel::default();
+    let b = a.whole();
+    let edge = 0.012_f64.min(0.05 * a.w).min(0.05 * a.d);
+    m.board(b.y(0.0..0.6 * a.h), &a.main(stuff::STEEL));
+    let plate = b.inset(edge, 0.0, edge).y(0.6 * a.h..a.h);
+    m.solid(plate);
+    let glass = plate.y(0.6 * a.h..0.94 * a.h);
+    m.mesh.board(glass, &stuff::DARK_PLASTIC.surface());
+    for half in glass.inset(0.06 * a.w, 0.0, 0.08 * a.d).split(0, pieces(a.w, 0.3, 1, 4), 0.0) {
+        for spot in half.split(2, 2, 0.0) {
+            let (c, r) = (spot.center(), 0.4 * spot.size().x.min(spot.size().z));
+            let ring = block(c.x - r..c.x + r, glass.max.y..a.h, c.z - r..c.z + r);
+            m.mesh.lathe(ring, &[(1.0, 0.0), (1.0, 1.0), (0.86, 1.0), (0.86, 0.0)], 24, &stuff::GRAY_PLASTIC.surface());
+        }
+    }
+    m
+}
+
 /// Cookers: hob on top, knobs, an oven door with a window.
 pub(super) fn stove(a: &Ask) -> BuiltModel {
+    if a.h < HOB {
+        return hob(a);
+    }
     let mut m = BuiltModel::default();
     let main = a.main(stuff::STEEL);
     let dark = stuff::DARK_PLASTIC.surface();

@@ -97,6 +97,39 @@ fn simulators(out: &Path, name: &str, python: &Path, program: &Program) -> Vec<S
     .collect()
 }
 
+/// The GLB file, validated.
+fn validated(out: &Path, name: &str) -> Option<String> {
+    if !has_node_package("gltf-validator") {
+        skip("GLB not validated: no gltf-validator (Node and tests/oracles/node_modules)");
+        return None;
+    }
+    let glb = out.join(format!("{name}.glb"));
+    judge("glTF validator", Command::new("node").arg(oracle("gltf.mjs")).arg(glb))
+}
+
+/// Requests in plain words, from the sentence to all formats. `SCENELANG_REQUESTS=100` tries as many as the figures in the
+/// book are about.
+#[test]
+fn rooms_from_sentences_hold_in_all_formats() {
+    const USUAL: usize = 2;
+    let wanted = std::env::var("SCENELANG_REQUESTS").ok().and_then(|n| n.parse().ok()).unwrap_or(USUAL);
+    let Some(python) = python() else { return skip("rooms from sentences not judged: no .venv") };
+    let all = std::fs::read_to_string(root().join("tests/requests/rooms.txt")).unwrap();
+    let all: Vec<&str> = all.lines().collect();
+    let mut wrong = Vec::new();
+    for request in all.iter().step_by((all.len() / wanted).max(1)).take(wanted) {
+        let folder = tempfile::tempdir().unwrap();
+        let ended = scenelang(folder.path(), ["synth", request, "-o", "out", "--all-formats"]);
+        let out = folder.path().join("out");
+        assert_eq!(ended.code, 0, "{request}: {}{}", ended.stdout, ended.stderr);
+        let program = compile_file("room", &out.join("room.scene"), Options::default()).program.expect("it was solved");
+        let unity = judge("Unity project", Command::new(&python).arg(oracle("unity.py")).arg(out.join("unity")));
+        let found = validated(&out, "room").into_iter().chain(unity).chain(simulators(&out, "room", &python, &program));
+        wrong.extend(found.map(|found| format!("{request}: {found}")));
+    }
+    assert!(wrong.is_empty(), "{} of {wanted}:\n{}", wrong.len(), wrong.join("\n"));
+}
+
 mod agree_on_every_example {
     use super::*;
 
@@ -105,12 +138,7 @@ mod agree_on_every_example {
         let out = synth(folder.path(), &scene);
         let mut found = Vec::new();
 
-        if has_node_package("gltf-validator") {
-            let glb = out.join(format!("{name}.glb"));
-            found.extend(judge("glTF validator", Command::new("node").arg(oracle("gltf.mjs")).arg(glb)));
-        } else {
-            skip("GLB not validated: no gltf-validator (Node and tests/oracles/node_modules)");
-        }
+        found.extend(validated(&out, name));
         if let Some(python) = python() {
             let project = out.join("unity");
             found.extend(judge("Unity project", Command::new(&python).arg(oracle("unity.py")).arg(project)));

@@ -19,6 +19,7 @@ use crate::Scene;
 use crate::geometry::mesh::MeshGroup;
 use crate::scene::{Body as Holding, Object, Role, Shell};
 use nalgebra::Matrix3;
+use scenelang_lang::roles::role_of;
 use scenelang_layout::Vec3;
 use std::borrow::Cow;
 
@@ -31,8 +32,8 @@ pub(crate) const GRAVITY: f64 = 9.81;
 pub(crate) struct Physics<'a> {
     /// The objects in order of declaration, then the shells that stop something.
     pub bodies: Vec<Body<'a>>,
-    /// Bodies, by index, at least one of them loose, that share space by permission of the program and must not push each
-    /// other apart.
+    /// Bodies, by index, that do not push each other: at least one of them loose where they share space by permission of the
+    /// program; and curtains, or a rug below a door, which give way to what opens.
     pub through: Vec<[usize; 2]>,
 }
 
@@ -148,7 +149,17 @@ impl<'a> Physics<'a> {
         // A wall that is all door has nothing to show.
         let shells = scene.shells.iter().filter(|s| !s.group.indices.is_empty()).map(Body::shell);
         let bodies: Vec<Body<'a>> = objects.chain(shells).collect();
-        let through = scene.overlaps.iter().copied().filter(|pair| pair.iter().any(|&i| bodies[i].loose)).collect();
+        let mut through: Vec<[usize; 2]> =
+            scene.overlaps.iter().copied().filter(|pair| pair.iter().any(|&i| bodies[i].loose)).collect();
+        let roles: Vec<&str> = scene.objects.iter().map(|object| role_of(&object.category)).collect();
+        for (a, opens) in bodies.iter().enumerate().filter(|(_, body)| !body.moving.is_empty()) {
+            // Furniture stands on a rug.
+            let gives_way = |role: &str| role == "curtain" || role == "carpet" && !opens.loose;
+            let soft = (0..roles.len()).filter(|b| *b != a && gives_way(roles[*b])).map(|b| [a, b]);
+            through.extend(
+                soft.filter(|[a, b]| !scene.overlaps.contains(&[*a, *b]) && !scene.overlaps.contains(&[*b, *a])),
+            );
+        }
         Self { bodies, through }
     }
 
