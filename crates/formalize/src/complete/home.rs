@@ -56,10 +56,11 @@ fn baby(brief: &mut Brief) {
     const CRIBS: [&str; 3] = ["crib", "cot", "cradle"];
     let request = brief.request.to_lowercase();
     // "A baby's bed" and "a baby monitor" are things; the baby ends its phrase.
-    let mut phrases = request.split([',', '.', ';', ':']).filter_map(|phrase| {
-        let mut end = phrase.split_whitespace().rev();
-        Some((end.next()?, end.next()?))
-    });
+    let mut phrases =
+        request.split([',', '.', ';', ':']).flat_map(|phrase| phrase.split(" and ")).filter_map(|phrase| {
+            let mut end = phrase.split_whitespace().rev();
+            Some((end.next()?, end.next()?))
+        });
     let said = |(last, before): (&str, &str)| BABY.contains(&last) && BEFORE.contains(&before);
     let has_crib = brief.things.iter().any(|thing| thing.words.last().is_some_and(|w| CRIBS.contains(&w.as_str())));
     if !phrases.any(said) || has_crib {

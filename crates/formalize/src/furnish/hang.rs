@@ -155,7 +155,8 @@ pub fn up(plan: &mut Plan, at: usize) {
     }
     let y = (EYES - size[1] / 2.0).clamp(0.3, (height - size[1] - 0.1).max(0.3));
     let line = line(plan, at);
-    let is_screen = stand::group(&noun) == Group::Screen;
+    // One for a projector is watched, too.
+    let is_screen = stand::group(&noun) == Group::Screen || noun.ends_with("screen");
     let choice = Choice {
         noun: &noun,
         size,

@@ -69,8 +69,11 @@ pub fn furnish_once(
     if rectangular && !draft.outdoor {
         openings::doors(draft, at);
     }
-    let is_asked =
-        |t: &DraftThing| matches!(t.source, ThingOrigin::Stated(_)) || for_people(&t.source) && tables(&t.category);
+    // The crib of a baby, too, has its place before the inventory.
+    let is_asked = |t: &DraftThing| {
+        let is_bed = || stand::group(&t.category) == Group::Bed;
+        matches!(t.source, ThingOrigin::Stated(_)) || for_people(&t.source) && tables(&t.category) || is_bed()
+    };
     let own = |t: &DraftThing| t.room == Some(at) && is_asked(t);
     let mut asked: Vec<usize> = (0..draft.things.len()).filter(|i| own(&draft.things[*i])).collect();
     // What seats go with comes before them.

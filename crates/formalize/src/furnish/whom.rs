@@ -2,7 +2,7 @@
 
 use super::groups::{self, Where};
 use super::kinds::{self, Count, Line};
-use crate::brief::{Brief, Group, Number};
+use crate::brief::{Brief, Group, Number, Thing};
 
 /// What comes before who a room is for.
 const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
@@ -25,6 +25,10 @@ const CHILDREN: [&str; 12] = [
 ];
 const STUDENTS: [&str; 4] = ["students", "roommates", "flatmates", "teens"];
 const NUMBERS: [&str; 4] = ["two", "three", "four", "five"];
+/// What is said of a room and no longer of whom it is for.
+const ENDS: [&str; 10] = ["with", "who", "that", "in", "has", "having", "including", "featuring", "where", "by"];
+/// So many children share a room.
+const MOST: usize = 4;
 /// So many words may stand between the number and who is meant: "two little boys".
 const BETWEEN: usize = 2;
 
@@ -95,7 +99,8 @@ pub fn pupils(brief: &mut Brief) {
 
 /// A bedroom for several children has a bed for each: "a bedroom for two teenage sisters".
 pub fn children(brief: &mut Brief) {
-    let has_bed = brief.things.iter().any(|thing| thing.group == Group::Bed);
+    let is_bed = |thing: &Thing| thing.group == Group::Bed && thing.words.last().is_none_or(|word| word != "crib");
+    let has_bed = brief.things.iter().any(is_bed);
     let [room] = &mut brief.rooms[..] else { return };
     let kind = kinds::of(&room.name).map_or("", |kind| kind.name);
     if has_bed || kind != "bedroom" && !ROOMS.contains(&kind) {
@@ -130,5 +135,34 @@ pub fn children(brief: &mut Brief) {
         }
         room.people = Some(n);
         return;
+    }
+    let named = words.iter().enumerate().filter(|(_, word)| **word == "for").find_map(|(at, _)| {
+        let whom = &words[at + 1..];
+        child(&whom[..whom.iter().position(|word| ENDS.contains(word)).unwrap_or(whom.len())])
+    });
+    if let Some((n, name)) = named.filter(|_| kind == "bedroom") {
+        name.clone_into(&mut room.name);
+        room.people = Some(n);
+    }
+}
+
+/// "My daughter", "a baby and an older sister", "a 15 year old boy": how many of them need a bed, a crib aside, and what their
+/// room is. None where parents sleep there, too.
+fn child(whom: &[&str]) -> Option<(usize, &'static str)> {
+    const GROWN: [&str; 9] = ["me", "us", "couple", "parents", "wife", "husband", "partner", "adult", "adults"];
+    const BABY: [&str; 3] = ["baby", "newborn", "infant"];
+    const TEEN: f64 = 13.0;
+    let is_child = |word: &str| CHILDREN.iter().any(|child| child.strip_suffix('s') == Some(word) || word == "child");
+    let is_teen = |word: &str| matches!(word, "teen" | "teenager");
+    if whom.iter().any(|word| GROWN.contains(word)) {
+        return None;
+    }
+    let aged = |pair: &[&str]| pair[1].starts_with("year") && pair[0].parse::<f64>().is_ok_and(|age| age >= TEEN);
+    let grown = whom.iter().any(|word| is_teen(word)) || whom.windows(2).any(aged);
+    match whom.iter().filter(|word| is_child(word) || is_teen(word)).count() {
+        0 if whom.iter().any(|word| BABY.contains(word)) => Some((1, "nursery")),
+        n @ 1..=MOST if grown => Some((n, "teen room")),
+        n @ 1..=MOST => Some((n, "kids room")),
+        _ => None,
     }
 }
