@@ -264,6 +264,47 @@ check("a program without a layout is shown all the same, and written when it is 
   await command("notifications.clearAll");
 });
 
+check("the key of a service that is not listed: its address and its model are asked for, too", async () => {
+  const box = () => texts(".quick-input-widget").then((all) => all.join(" "));
+  const answer = async (asked, text) => {
+    await until(asked, async () => (await box()).includes(asked));
+    await e.page.keyboard.type(text);
+    await e.page.keyboard.press("Enter");
+  };
+  await begin("scenelang.setKey");
+  await until("whose", async () => (await texts(".quick-input-list .monaco-list-row")).some((row) => row.startsWith("Another that speaks like OpenAI")));
+  await e.page.keyboard.type("Another");
+  await e.page.keyboard.press("Enter");
+  await answer("Where is the model?", "http://127.0.0.1:9/v1");
+  await answer("What is the model called there?", "qwen3-32b");
+  await until("the box", () => e.page.$eval(".quick-input-widget input", ({ type }) => type === "password"));
+  await shoot("key");
+  await e.page.keyboard.type("sk-of-a-test");
+  await e.page.keyboard.press("Enter");
+  const kept = () => e.api("const all = vscode.workspace.getConfiguration('scenelang'); return [all.get('model.baseUrl'), all.get('model.name')]");
+  await until("both settings", async () => (await kept()).join(" ") === "http://127.0.0.1:9/v1 compatible:qwen3-32b");
+  assert.throws(() => execFileSync("grep", ["-rl", "sk-of-a-test", folder, "--include=*.json", "--include=*.log"]), "no setting and no log has it");
+});
+
+check("where the model cannot be used, the room is solved all the same", async () => {
+  const set = (name, value) => e.api("await vscode.workspace.getConfiguration('scenelang').update(args.name, args.value, 1)", { name, value });
+  await command("workbench.action.closeAllEditors");
+  // A model whose key nobody has given.
+  await set("model.baseUrl", undefined);
+  await set("model.name", "openai:some-model");
+  await set("languageModel", "configured");
+  writeFileSync(e.path("keyless.scene"), 'region r;\nr.pos <- vec3(0, 0, 0);\nr.scale <- vec3(3, 2.5, 3);\nobject chair;\nchair.category <- "chair";\nassert inside(chair, r);\n');
+  await e.api("await vscode.window.showTextDocument(vscode.Uri.file(args.file))", { file: e.path("keyless.scene") });
+  await until("the server", async () => (await status()) !== "", 60_000);
+  await begin("scenelang.solveScene");
+  await until("the layout", async () => existsSync(e.path("keyless.layout.json")), 120_000);
+  await until("that all holds", async () => ((now) => now !== undefined && now[0] === now[1])(await counted()), 120_000);
+  await shoot("keyless");
+  await set("languageModel", undefined);
+  await set("model.name", undefined);
+  await command("notifications.clearAll");
+});
+
 check("nothing was asked of the network, and no script failed", () => {
   assert.deepEqual([...e.outside], []);
   assert.deepEqual(e.errors, []);
