@@ -22,6 +22,8 @@ const WINDOWS: [[f64; 3]; 3] = [[1.4, 1.3, 0.12], [0.9, 1.2, 0.12], [0.6, 0.9, 0
 const OVER_WORKTOPS: f64 = 1.05;
 /// The usual height of a sill (metres).
 const SILL: f64 = 0.9;
+/// A window whose sill has that height ends this far below the ceiling at least (metres).
+const BELOW_CEILING: f64 = 0.4;
 /// No room has more windows.
 const MOST: usize = 6;
 
@@ -192,7 +194,8 @@ pub fn sill(draft: &Draft, window: &Opening) -> f64 {
     }
     let rooms = window.rooms.iter().filter_map(|room| draft.rooms.get(*room));
     let ceiling = rooms.map(|room| room.size[1]).fold(f64::INFINITY, f64::min);
-    let usual = SILL.min((ceiling - window.size[1]) / 2.0);
+    let free = ceiling - window.size[1];
+    let usual = SILL.min((free - BELOW_CEILING).max(free / 2.0));
     usual.max(top_below(draft, &window.name).min(ceiling - window.size[1] - 0.02)).max(0.0)
 }
 

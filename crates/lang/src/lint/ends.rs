@@ -100,7 +100,7 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
             let Some((array, index, which, n)) = left_out else { continue };
             // Another range that is for this end of the array.
             let other = |it: &Indexing| {
-                it.arrays.contains(array) && it.lo <= index && index < it.hi && (it.lo > 0 || it.hi < *n)
+                it.arrays.contains(array) && (it.lo..it.hi).contains(&index) && 2 * it.hi.saturating_sub(it.lo) <= *n
             };
             let elsewhere = facts.statements.iter().flat_map(|s| &s.uses.indexing).any(other);
             if elsewhere || named.contains(&(array.clone(), index)) {
