@@ -137,6 +137,8 @@ check("a contradiction stays marked while one types elsewhere, and when program 
   const marks = () => e.api("return vscode.languages.getDiagnostics(vscode.window.activeTextEditor.document.uri).map((d) => d.code?.value ?? d.code)");
   const contradicts = async () => (await marks()).some((code) => /^E040/.test(String(code)));
   await withEnding("\nassert plant[0].top < 0.1 and plant[0].bottom > 0.2;", async () => {
+    // Proofs are looked for in what is saved.
+    await e.api("await vscode.window.activeTextEditor.document.save()");
     await until("the contradiction", contradicts);
     await e.page.keyboard.press("Enter");
     for (let i = 0; i < 20; i += 1) {
