@@ -37,7 +37,9 @@ pub fn waits(plan: &Plan, at: usize) -> bool {
     // "Two boards on one wall": on which is not said.
     let said = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)) && about(&s.text));
     let somewhere = said.clone().count() > 0
-        && said.clone().all(|s| s.demand == Demand::Must && (s.text.contains("wallMounted(") || at_one_wall(&s.text)));
+        && said.clone().all(|s| {
+            s.demand == Demand::Must && (s.text.contains("wallMounted(") || at_one_wall(&s.text, &thing.name))
+        });
     let from_ceiling = stand::group(&thing.category) == Group::Ceiling && thing.count <= LAMPS;
     plan.ground.is_some()
         && thing.count <= MOST
@@ -47,9 +49,9 @@ pub fn waits(plan: &Plan, at: usize) -> bool {
                 && !plan.is_placed(at))
 }
 
-/// Whether it is said that several things are at the wall of the first of them.
-fn at_one_wall(text: &str) -> bool {
-    text.contains(".front, ") && text.ends_with(".front) >= 0.9")
+/// Whether it is said of several things that they are at the wall of the first of them, and not at that of something else.
+fn at_one_wall(text: &str, name: &str) -> bool {
+    text.ends_with(&format!("dot({name}[i].front, {name}[0].front) >= 0.9"))
 }
 
 /// Whether such rooms have a place of its own for it, as a classroom for its board, or it needs a wall for itself.
@@ -61,8 +63,7 @@ pub fn has_place(plan: &Plan, at: usize) -> bool {
 /// Whether several things are said to hang on one wall.
 fn is_row(plan: &Plan, at: usize) -> bool {
     let it = &plan.draft.things[at];
-    let said = |s: &Statement| at_one_wall(&s.text) && words(&s.text).contains(&it.name.as_str());
-    it.count > 1 && plan.draft.statements.iter().any(said)
+    it.count > 1 && plan.draft.statements.iter().any(|s| at_one_wall(&s.text, &it.name))
 }
 
 fn line(plan: &Plan, at: usize) -> Option<&'static Line> {

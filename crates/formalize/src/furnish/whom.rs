@@ -99,7 +99,9 @@ pub fn pupils(brief: &mut Brief) {
 
 /// A bedroom for several children has a bed for each: "a bedroom for two teenage sisters".
 pub fn children(brief: &mut Brief) {
-    let is_bed = |thing: &Thing| thing.group == Group::Bed && thing.words.last().is_none_or(|word| word != "crib");
+    const CRIBS: [&str; 4] = ["crib", "cot", "cradle", "bassinet"];
+    let is_crib = |thing: &Thing| thing.words.last().is_some_and(|word| CRIBS.contains(&word.as_str()));
+    let is_bed = |thing: &Thing| thing.group == Group::Bed && !is_crib(thing);
     let has_bed = brief.things.iter().any(is_bed);
     let [room] = &mut brief.rooms[..] else { return };
     let kind = kinds::of(&room.name).map_or("", |kind| kind.name);
