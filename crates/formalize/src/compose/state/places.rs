@@ -244,7 +244,8 @@ impl Named<'_> {
                             !f.not && matches!(f.what, FactKind::Place(_, Place::Wall, _)) && !f.of.contains(&a);
                         f.of.first().copied().filter(|b| at_wall && here(*b))
                     });
-                    if w == "same" && other.is_none() {
+                    let several = self.counts[a] > 1 || self.brief.facts[k].of.len() > 1;
+                    if w == "same" && other.is_none() && several {
                         return self.at_one_wall(k, a);
                     }
                     // Opposite to what was spoken of before, if nothing was said of a wall.
