@@ -12,7 +12,7 @@ use super::seek::Wall;
 use super::spots::{around_hung, near, near_to, nominal, watched_from};
 use super::{place, stand};
 use crate::brief::Group;
-use crate::draft::{Demand, DraftThing, Statement, ThingOrigin};
+use crate::draft::{Demand, DraftThing, ThingOrigin};
 use crate::names::words;
 
 /// A table that is as long has its lamps over it (metres).
