@@ -6,6 +6,7 @@ use super::stage::Stage;
 use crate::pose::half_turn;
 use crate::rows::Goal;
 use scenelang_lang::program::{ObjectId, Unit};
+use scenelang_layout::Vec2;
 use scenelang_verify::explain::ObjectMove;
 
 /// Sweeps over the goals that fail, each with a step down its slope.
@@ -360,11 +361,20 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         let (mut low, mut high) = (0.0, first);
         while !self.holds(&at(high)) {
             (low, high) = (high, high * factor);
-            if high > FARTHEST || self.spent() {
+            // Nothing is moved out of its room to clear a path.
+            if high > FARTHEST || self.spent() || self.dear && !self.is_indoors(&at(high)) {
                 return None;
             }
         }
         Some(at(self.least(low, high, &at)))
+    }
+
+    /// Whether the object is over the floor of some room after a move, if there are rooms.
+    fn is_indoors(&self, m: &Move) -> bool {
+        let Some(home) = self.stage.home(self.from.object) else { return false };
+        let [x, z] = [0, 2].map(|i| home.pos[i] + self.from.by[i] + m[i]);
+        let mut rooms = self.stage.world().prisms().peekable();
+        rooms.peek().is_none() || rooms.any(|(_, prism)| prism.polygon.contains(Vec2::new(x, z)))
     }
 
     /// The least number between two with which a move does, `high` being one.

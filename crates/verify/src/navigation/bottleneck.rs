@@ -8,6 +8,7 @@ use super::{COARSE, NEAR};
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::Vec2;
 use scenelang_layout::planar::{depth_in_convex, edges, nearest_of_segments, nearest_on_segment};
+use std::ops::RangeInclusive;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The radius of the widest disc is found to this (metres).
@@ -59,12 +60,17 @@ pub(super) fn find(tried: &Tried, ends: [&[Vec2]; 2], radius: f64) -> Option<(Ga
     if fails <= passes || !Try::new(tried, ends, passes, None).is_way() {
         return None;
     }
+    // Nearly always the widest disc is as wide as two things are apart.
+    let apart = gaps(&ground.obstacles, 0.0..=2.0 * fails);
+    let mut halves: Vec<f64> = apart.iter().map(|gap| gap.width / 2.0).collect();
+    halves.sort_by(f64::total_cmp);
+    halves.dedup_by(|a, b| *a - *b < PRECISION / 4.0);
     while fails - passes > PRECISION {
-        let middle = (passes + fails) / 2.0;
-        if Try::new(tried, ends, middle, None).is_way() {
-            passes = middle;
+        let radius = next_radius(&halves, passes, fails);
+        if Try::new(tried, ends, radius, None).is_way() {
+            passes = radius;
         } else {
-            fails = middle;
+            fails = radius;
         }
     }
     let last = Try::new(tried, ends, passes, None);
@@ -76,7 +82,9 @@ pub(super) fn find(tried: &Tried, ends: [&[Vec2]; 2], radius: f64) -> Option<(Ga
         let gap = beside(ground, place)?;
         return Some((Gap { width: 2.0 * passes, ..gap }, end));
     }
-    let mut gaps = gaps(&ground.obstacles, 2.0 * passes);
+    let width = 2.0 * passes;
+    let mut gaps = gaps(&ground.obstacles, width - FIT..=width + FIT);
+    gaps.sort_by(|a, b| (a.width - width).abs().total_cmp(&(b.width - width).abs()).then(a.between.cmp(&b.between)));
     gaps.truncate(MOST);
     let separates = |gap: &&Gap| {
         // A hair's breadth within the gap; with it closed there is no way of nearly that width.
@@ -85,6 +93,23 @@ pub(super) fn find(tried: &Tried, ends: [&[Vec2]; 2], radius: f64) -> Option<(Ga
     };
     let which = gaps.iter().position(|gap| separates(&gap)).unwrap_or(0);
     (!gaps.is_empty()).then(|| (gaps.swap_remove(which), None))
+}
+
+/// The radius to try next: it halves the number of gaps between things that may be the one (half their widths, sorted), then
+/// comes close to the last of them from both sides, and halves what remains if that was not it.
+fn next_radius(gaps: &[f64], passes: f64, fails: f64) -> f64 {
+    let close = PRECISION / 4.0;
+    let open: Vec<f64> = gaps.iter().copied().filter(|gap| gap - close > passes && gap - close < fails).collect();
+    let Some(last) = open.last() else { return f64::midpoint(passes, fails) };
+    // Round corners are inscribed, so that a disc that is a little wider gets through as well.
+    let beyond = open[(open.len() - 1) / 2] + FIT;
+    if open.len() > 1 && beyond < fails {
+        beyond
+    } else if last + close < fails {
+        last + close
+    } else {
+        last - close
+    }
 }
 
 /// The radius of a disc, and a gap that is closed for it.
@@ -140,12 +165,12 @@ impl Try {
     }
 }
 
-/// Pairs that stand `width` apart and have nothing else in between, the narrowest first.
-fn gaps(obstacles: &[Obstacle], width: f64) -> Vec<Gap> {
+/// Pairs that stand so far apart (metres) and have nothing else in between.
+fn gaps(obstacles: &[Obstacle], widths: RangeInclusive<f64>) -> Vec<Gap> {
     let spans: Vec<[Vec2; 2]> = obstacles.iter().map(|o| span(&o.outline)).collect();
     let mut order: Vec<usize> = (0..obstacles.len()).collect();
     order.sort_by(|&i, &j| spans[i][0].x.total_cmp(&spans[j][0].x).then(i.cmp(&j)));
-    let reach = width + FIT;
+    let reach = *widths.end();
     let mut found = Vec::new();
     for (place, &i) in order.iter().enumerate() {
         for &j in order[place + 1..].iter().take_while(|&&j| spans[j][0].x <= spans[i][1].x + reach) {
@@ -157,12 +182,11 @@ fn gaps(obstacles: &[Obstacle], width: f64) -> Vec<Gap> {
             let Some((p, q)) = nearest_points(a, b) else { continue };
             let (gap, middle) = ((q - p).norm(), (p + q) / 2.0);
             let free = |o: &Obstacle| -depth_in_convex(&o.outline, middle) >= gap / 2.0 - FIT;
-            if (gap - width).abs() <= FIT && obstacles.iter().all(free) {
+            if widths.contains(&gap) && obstacles.iter().all(free) {
                 found.push(Gap { width: gap, between, at: [p, q] });
             }
         }
     }
-    found.sort_by(|a, b| (a.width - width).abs().total_cmp(&(b.width - width).abs()).then(a.between.cmp(&b.between)));
     found
 }
 

@@ -33,10 +33,10 @@ pub(crate) const PERSON: f64 = 0.5;
 
 /// Corners of a full circle where only "is there a way" is asked: narrow gaps need it fine.
 const FINE: usize = 256;
-/// Corners of the polygons around the disc and in it that are tried first: what the one gets through the disc does, too, and
-/// what the other does not, the disc does not. Each in the disc is one of the fine circle's.
-const AROUND: usize = 24;
-const WITHIN: usize = 32;
+/// Corners of the polygons around the disc and in it that are tried before, the fewest first: where the one gets through, so
+/// does the disc, and where the other does not, neither does the disc. Each in the disc is one of the fine circle's.
+const AROUND: [usize; 2] = [8, 24];
+const WITHIN: [usize; 2] = [8, 32];
 /// Corners of a full circle where the way is measured: 0.2 mm per turn round a corner.
 const COARSE: usize = 64;
 
@@ -135,9 +135,16 @@ pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f6
         !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
     };
     let reach = radius + NEAR;
-    // Few corners cost a tenth, and nearly always tell.
-    through(radius / apothem(AROUND), AROUND, reach)
-        || through(radius, WITHIN, reach / apothem(WITHIN)) && through(radius, FINE, reach)
+    // Few corners cost little, and nearly always tell.
+    for (around, within) in AROUND.into_iter().zip(WITHIN) {
+        if through(radius / apothem(around), around, reach) {
+            return true;
+        }
+        if !through(radius, within, reach / apothem(within)) {
+            return false;
+        }
+    }
+    through(radius, FINE, reach)
 }
 
 /// Why a disc of the given diameter cannot move from one object to the other, which is known. `None`: there is no way
