@@ -83,6 +83,13 @@ fn row(line: &'static str) -> Option<Noun> {
     Some(Noun { name, size, stands, front, access: fields.next()?.parse().ok()?, often: fields.next()?.parse().ok()? })
 }
 
+/// A noun with "a" or "an" before it.
+pub fn with_article(noun: &str) -> String {
+    let vowel = noun.starts_with(['a', 'e', 'i', 'o', 'u', 'A', 'E', 'I', 'O']);
+    let an = vowel && !["uni", "uti", "use", "one"].iter().any(|start| noun.starts_with(start));
+    format!("{} {noun}", if an { "an" } else { "a" })
+}
+
 /// The plural of a noun of one or several words.
 pub fn plural(noun: &str) -> String {
     let cut = |n: usize, ending: &str| format!("{}{ending}", &noun[..noun.len() - n]);

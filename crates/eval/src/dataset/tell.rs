@@ -4,7 +4,7 @@ use super::dice::Dice;
 use super::plan::{Link, Plan, PlannedThing};
 use super::pools::{ThingPlace, tables};
 use super::program::Stated;
-use scenelang_lang::nouns::plural;
+use scenelang_lang::nouns::{plural, with_article};
 
 /// So many kinds of things are named in the short version.
 const NAMED: usize = 6;
@@ -52,7 +52,7 @@ pub(crate) fn tell(dice: &mut Dice, plan: &Plan, stated: &[Stated]) -> SceneWord
     let names: Vec<String> = plan.rooms.iter().map(|room| format!("the {}", room.kind)).collect();
     let number = if names.len() == 1 { "one room" } else { "two rooms" };
     let rooms = format!("{number}, {}", list(&names));
-    text.sentence(drawn(dice, "opening", false, &[("building", &article(plan.building)), ("rooms", &rooms)]));
+    text.sentence(drawn(dice, "opening", false, &[("building", &with_article(plan.building)), ("rooms", &rooms)]));
     text.sentence(drawn(dice, "summary", false, &[]));
     let mut asides = tables().rule("aside").to_vec();
     dice.shuffle(&mut asides);
@@ -164,13 +164,13 @@ fn shares(plan: &Plan, thing: &PlannedThing, other: Option<usize>) -> (u32, Stri
 fn several(thing: &PlannedThing, count: u32) -> String {
     let (before, after) = (thing.look.before(), thing.look.after());
     match count {
-        1 => article(&format!("{before}{}{after}", thing.noun)),
+        1 => with_article(&format!("{before}{}{after}", thing.noun)),
         _ => format!("{} {before}{}{after}", word(count), plural(thing.noun)),
     }
 }
 
 fn of_link(dice: &mut Dice, plan: &Plan, link: &Link) -> (String, String) {
-    let described = article(&format!("{}{}{}", link.look.before(), link.noun, link.look.after()));
+    let described = with_article(&format!("{}{}{}", link.look.before(), link.noun, link.look.after()));
     let (from, to) = link.between;
     let other = to.map_or("", |to| plan.rooms[to].kind);
     let rule = match (link.noun, to) {
@@ -188,13 +188,13 @@ fn short(dice: &mut Dice, plan: &Plan) -> String {
     let described = |room: &super::plan::PlannedRoom| {
         let style =
             room.attributes.iter().find(|(what, ..)| matches!(*what, "style" | "mood")).map(|(_, value, _)| *value);
-        article(&format!("{}{}", style.map_or_else(String::new, |s| format!("{s} ")), room.kind))
+        with_article(&format!("{}{}", style.map_or_else(String::new, |s| format!("{s} ")), room.kind))
     };
     let rooms: Vec<String> = plan.rooms.iter().map(described).collect();
     let mut heads: Vec<&PlannedThing> = plan.things.iter().filter(|t| !matches!(t.place, ThingPlace::On(_))).collect();
     dice.shuffle(&mut heads);
     let things: Vec<String> = heads.iter().take(NAMED).map(|t| plain(t)).collect();
-    let building = article(plan.building);
+    let building = with_article(plan.building);
     let slots = [
         ("rooms", list(&rooms)),
         ("building", building.clone()),
@@ -207,7 +207,7 @@ fn short(dice: &mut Dice, plan: &Plan) -> String {
 
 fn plain(thing: &PlannedThing) -> String {
     match thing.count {
-        1 => article(&format!("{}{}", thing.look.before(), thing.noun)),
+        1 => with_article(&format!("{}{}", thing.look.before(), thing.noun)),
         n => format!("{} {}", word(n), plural(thing.noun)),
     }
 }
@@ -231,13 +231,6 @@ fn length(metres: f64) -> String {
     if metres < 1.0 { format!("{:.0} cm", metres * 100.0) } else { format!("{metres:.1} m") }
 }
 
-/// With "a" or "an".
-fn article(words: &str) -> String {
-    let vowel = words.starts_with(['a', 'e', 'i', 'o', 'u', 'A', 'E', 'I', 'O']);
-    let an = vowel && !["uni", "uti", "use", "one"].iter().any(|start| words.starts_with(start));
-    format!("{} {words}", if an { "an" } else { "a" })
-}
-
 fn capital(text: &str) -> String {
     let mut chars = text.chars();
     chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
@@ -258,7 +251,7 @@ mod tests {
         ] {
             assert_eq!(plural(one), many);
         }
-        assert_eq!(article("umbrella stand") + &article("utility sink"), "an umbrella standa utility sink");
+        assert_eq!(with_article("umbrella stand") + &with_article("utility sink"), "an umbrella standa utility sink");
         assert_eq!(list(&["a".into(), "b".into(), "c".into()]), "a, b and c");
         assert_eq!([length(0.6), length(1.4)], ["60 cm", "1.4 m"]);
     }

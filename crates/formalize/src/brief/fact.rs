@@ -143,6 +143,8 @@ pub enum Rel {
     /// Beside it at both sides.
     Sides,
     BackTo,
+    /// At the wall at which the other is.
+    SameWall,
     From,
     Of,
     To,

@@ -4,7 +4,7 @@ use super::build::Root;
 use super::choose::{self, Choice, PULL};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::inventory::{TEAM, counter_length, has_seats, opposite_of};
+use super::inventory::{TEAM, as_seen, counter_length, has_seats, opposite_of};
 use super::kinds::{self, Line, PlanPlace, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
@@ -109,6 +109,7 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         if !sized {
             fit_horseshoe(plan, at);
             fit_screen(plan, at);
+            fit_stage(plan, at);
         }
         let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
@@ -175,6 +176,16 @@ fn fit_screen(plan: &mut Plan, at: usize) {
         && size[0] < wide
     {
         (size[0], size[1]) = ((wide * 100.0).round() / 100.0, (SHAPE * wide * 100.0).round() / 100.0);
+    }
+}
+
+/// A stage is as wide as a hall with rows of seats asks.
+fn fit_stage(plan: &mut Plan, at: usize) {
+    let thing = &plan.draft.things[at];
+    let line = plan.kind.lines.iter().find(|line| line.noun == "stage" && thing.category == line.noun);
+    let is_here = thing.room == Some(plan.room) && thing.count == 1;
+    if let (Some(line), Some(size), true) = (line, thing.size, is_here) {
+        plan.draft.things[at].size = Some(as_seen(plan, line, size));
     }
 }
 
@@ -255,7 +266,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let is_soft = |line: &Line| line.noun.ends_with("sofa");
     let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
     let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == PlanPlace::Corner);
-    let aside = aside && it.count <= CORNERS && !plan.is_placed(thing);
+    let aside = (aside && !plan.is_placed(thing) || plan.is_in_corners(thing)) && it.count <= CORNERS;
     let is_parked = is_parked(&noun);
     if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);

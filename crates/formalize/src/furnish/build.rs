@@ -376,6 +376,8 @@ impl Plan<'_> {
                 self.lacking += if seatless && is_table { SEATLESS } else { 0 };
                 // So do those who cook, at a worktop that is asked for.
                 self.lacking += usize::from(skip.iter().any(|noun| USED.contains(noun)));
+                // The armchairs that are asked for with a sofa stand with it.
+                self.lacking += usize::from(!is_table && skip.iter().any(|noun| self.is_asked(noun)));
                 self.settle();
                 return true;
             }
@@ -431,7 +433,7 @@ impl Plan<'_> {
     }
 
     /// Whether chairs belong to the group that was just tried.
-    fn has_chairs(&self) -> bool {
+    pub(super) fn has_chairs(&self) -> bool {
         self.building.as_ref().is_some_and(|group| group.has_chairs)
     }
 
@@ -451,12 +453,14 @@ impl Plan<'_> {
 
     /// Whether a group is not complete without a part, or the part is asked for.
     fn needs(&self, part: &str) -> bool {
-        let is_asked = |it: &DraftThing| {
-            matches!(it.source, ThingOrigin::Stated(_))
-                && it.room == Some(self.room)
-                && it.category.replace('_', " ") == part
-        };
-        matters(part) || self.draft.things.iter().any(is_asked)
+        matters(part) || self.is_asked(part)
+    }
+
+    /// Whether a part is asked for in the room.
+    fn is_asked(&self, part: &str) -> bool {
+        let here = self.draft.things.iter().filter(|it| it.room == Some(self.room));
+        let mut asked = here.filter(|it| matches!(it.source, ThingOrigin::Stated(_)));
+        asked.any(|it| it.category.replace('_', " ") == part)
     }
 
     /// Notes that a thing that matters has no seats.

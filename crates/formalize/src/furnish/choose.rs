@@ -89,6 +89,11 @@ const SCREEN: [f64; 3] = [1.4, 1.1, 0.4];
 const NO_SCREEN: f64 = 1.2;
 /// What hangs beside the door, where everybody finds it.
 const BY_DOOR: [&str; 5] = ["fire extinguisher", "first aid kit", "fire blanket", "hand sanitizer", "coat hook"];
+/// So much is free between furniture and where a door swings (metres), and what a metre less costs.
+const ELBOW_ROOM: f64 = 0.25;
+const HARD_BY: f64 = 1.6;
+/// What hangs above the door.
+pub(super) const OVER_DOOR: &str = "exit sign";
 /// What stands beside the door.
 const LEFT_AT_DOOR: [&str; 8] = [
     "shopping cart",
@@ -259,7 +264,17 @@ impl<'a> Choice<'a> {
         }
         let by_door = if self.is(&LEFT_AT_DOOR) { 0.2 } else { 0.7 };
         cost += if self.is(&TAKEN_AT_DOOR) { floor.away_from_door(pose) * 0.3 } else { 0.0 };
-        Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * by_door)
+        Some(cost + (1.6 - floor.away_from_door(pose)).max(0.0) * by_door + self.at_frame(floor, shape, pose))
+    }
+
+    /// What it costs that a group is hard by a door, though not in its way.
+    fn at_frame(&self, floor: &Floor, shape: &Shape, pose: &Pose) -> f64 {
+        if self.is(&LEFT_AT_DOOR) || self.is(&TAKEN_AT_DOOR) {
+            return 0.0;
+        }
+        let standing = shape.pieces.iter().filter(|piece| piece.at.y < 0.3 && piece.size[1] > 0.3);
+        let gaps = standing.map(|piece| floor.from_swing(&Block::of(&pose.then(&piece.at), piece.size)));
+        (ELBOW_ROOM - gaps.fold(f64::INFINITY, f64::min)).max(0.0) * HARD_BY
     }
 
     /// The best place at a wall.
@@ -335,6 +350,10 @@ impl<'a> Choice<'a> {
                 cost += 1.0 - front;
             }
             cost += self.to_near(pose) * 0.8;
+            if self.is(&[OVER_DOOR]) {
+                // Where the door swings, and not on the next wall beside it.
+                return Some(floor.from_swing(&Block::of(pose, self.size)) + 0.1 * floor.away_from_door(pose));
+            }
             if self.is(&BY_DOOR) {
                 cost += (floor.away_from_door(pose) - BESIDE_DOOR).abs().min(6.0) * 0.4;
             }
@@ -431,7 +450,8 @@ impl<'a> Choice<'a> {
                 true => floor.away_from_door(pose) * 0.1 + if pose.z > 0.0 { 1.0 } else { 0.0 },
                 false => (2.0 - floor.away_from_door(pose)).max(0.0) * if at_door { 0.2 } else { 0.9 },
             };
-            Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door + self.to_near(pose) * 0.8)
+            let crowded = self.at_frame(floor, shape, pose);
+            Some(front + if lit { -0.3 } else { 0.0 } + near as f64 + door + self.to_near(pose) * 0.8 + crowded)
         };
         seek::best(floor, shape, places, &cost)
     }
@@ -453,7 +473,8 @@ impl<'a> Choice<'a> {
             let cost = -around + off + if before.is_empty() || lined { 0.0 } else { 0.5 };
             // Behind those who look to the board.
             let behind = if self.taught && self.size[1] < 0.05 { pose.z + d / 2.0 } else { 0.0 };
-            Some(cost + behind + if trodden { 1.5 } else { 0.0 } + self.to_near(pose) * 0.8)
+            let crowded = self.at_frame(floor, shape, pose);
+            Some(cost + behind + if trodden { 1.5 } else { 0.0 } + self.to_near(pose) * 0.8 + crowded)
         };
         seek::best(floor, shape, places, &cost)
     }

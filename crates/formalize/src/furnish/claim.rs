@@ -243,6 +243,15 @@ impl Plan<'_> {
         stated.filter(|s| mentions(&s.text, name)).any(|s| is_subject(&s.text, name))
     }
 
+    /// Whether the request says that each of several things is in a corner, and nothing else of where they stand.
+    pub(super) fn is_in_corners(&self, at: usize) -> bool {
+        let thing = &self.draft.things[at];
+        let corners = format!("forall a in {}: inCorner(a, ", thing.name);
+        let stated = self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
+        let mut own = stated.filter(|s| is_subject(&s.text, &thing.name)).peekable();
+        thing.count > 1 && own.peek().is_some() && own.all(|s| s.text.starts_with(&corners))
+    }
+
     /// Whether a thing that is asked for gets its place with something of the inventory.
     pub(super) fn waits_for_inventory(&self, at: usize) -> bool {
         self.line_of(at).is_some()

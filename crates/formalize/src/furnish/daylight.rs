@@ -9,6 +9,7 @@ use super::seek::Wall;
 use super::stand;
 use crate::draft::{Draft, Look, Opening, OpeningKind, Statement, ThingOrigin};
 use crate::names::mentions;
+use scenelang_lang::nouns::with_article;
 
 /// So much wall is left beside a window (metres).
 const BESIDE: f64 = 0.3;
@@ -213,7 +214,7 @@ pub fn add_windows(plan: &mut Plan) {
     let [w, h, d] = plan.draft.rooms[plan.room].size;
     let step = size[0] + BETWEEN;
     let sill = (2.2 - size[1]).clamp(0.9, 1.3).min(h - size[1] - 0.2).max(0.0);
-    let why = format!("a {} has daylight", plan.kind.name);
+    let why = format!("{} has daylight", with_article(&plan.kind.name));
     let mut made: Vec<String> = Vec::new();
     for i in 0..count {
         let name = plan.name("window");

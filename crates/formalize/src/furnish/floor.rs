@@ -302,6 +302,15 @@ impl Floor {
         self.doors.iter().map(|[x, z]| (pose.x - x).hypot(pose.z - z)).fold(f64::INFINITY, f64::min)
     }
 
+    /// How far something is from the nearest place where a door swings (metres); 0 in it.
+    pub fn from_swing(&self, block: &Block) -> f64 {
+        let apart = |swing: &Block| {
+            let [dx, dz] = [0, 2].map(|k| (swing.low[k] - block.high[k]).max(block.low[k] - swing.high[k]).max(0.0));
+            dx.hypot(dz)
+        };
+        self.swing.iter().map(apart).fold(f64::INFINITY, f64::min)
+    }
+
     /// How far the wall is before a place, straight ahead.
     pub fn wall_ahead(&self, pose: &Pose) -> f64 {
         let [w, _, d] = self.size;

@@ -68,7 +68,12 @@ fn is_row(plan: &Plan, at: usize) -> bool {
 
 fn line(plan: &Plan, at: usize) -> Option<&'static Line> {
     let noun = plan.draft.things[at].category.replace('_', " ");
-    plan.kind.lines.iter().find(|line| stand::counts_as(line.noun, &noun))
+    let lines = || plan.kind.lines.iter();
+    // A television that is asked for hangs where such rooms have their screen.
+    let is_screen = |noun: &str| stand::group(noun) == Group::Screen || noun.ends_with("screen");
+    let own = |line: &&Line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)) && is_screen(line.noun);
+    let screen = || lines().find(own).filter(|_| is_screen(&noun) && plan.draft.things[at].count == 1);
+    lines().find(|line| stand::counts_as(line.noun, &noun)).or_else(screen)
 }
 
 /// One lamp hangs above the middle of the room; several hang in a line over its table, or along it.

@@ -2,7 +2,7 @@
 
 use super::asked::{BOOTH, is_for_waiting};
 use super::build::Root;
-use super::choose::Choice;
+use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
 use super::kinds::{self, Count, Line, PlanPlace};
@@ -15,7 +15,8 @@ use super::tell::{Stood, tell};
 use super::{edge, groups, slots, stand};
 use crate::brief::Group;
 use crate::complete::defaults::AT_BOOTH;
-use crate::draft::{DraftThing, ThingOrigin};
+use crate::draft::{DraftThing, OpeningKind, ThingOrigin};
+use scenelang_lang::nouns::with_article;
 use std::cell::RefCell;
 
 /// How high things on walls are looked at.
@@ -53,7 +54,7 @@ pub(super) const TEAM: usize = 2;
 
 /// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
 pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
-    let listed = format!("a {} has ", plan.kind.name);
+    let listed = format!("{} has ", with_article(&plan.kind.name));
     let with_another = |t: &DraftThing| match &t.source {
         ThingOrigin::Inferred(why) => !why.starts_with(&listed),
         _ => false,
@@ -103,7 +104,7 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         Count::Area(each) => (plan.counted / each).round() as usize,
         Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
     };
-    let why = format!("a {} has {}", plan.kind.name, if n == 1 { "one" } else { "some" });
+    let why = format!("{} has {}", with_article(&plan.kind.name), if n == 1 { "one" } else { "some" });
     match &line.place {
         PlanPlace::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
         PlanPlace::Edge if line.noun.ends_with("wall") => edge::house(plan, line, &why),
@@ -193,7 +194,7 @@ pub(super) fn size_for_people(plan: &Plan, noun: &str, n: usize) -> [f64; 3] {
 }
 
 /// A screen or a board that is seen from the back of a hall is as large as that needs, a stage as wide as the hall asks; a television that hangs has no foot.
-fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
+pub(super) fn as_seen(plan: &Plan, line: &Line, [w, h, d]: [f64; 3]) -> [f64; 3] {
     const SHARE: f64 = 0.3;
     const LARGEST: f64 = 4.4;
     const WATCHED: [f64; 2] = [0.6, 8.0];
@@ -399,9 +400,17 @@ fn amiss(plan: &Plan, line: &Line, poses: &[Pose], is_scattered: bool, opposite:
     usize::from(scattered) + usize::from(apart) + usize::from(askew)
 }
 
+/// How far an exit sign hangs above its door (metres).
+const OVER_DOOR: f64 = 0.14;
+
 /// How high something of a height hangs.
 fn hung_at(plan: &Plan, line: &Line, height: f64) -> f64 {
     let under_ceiling = (plan.draft.rooms[plan.room].size[1] - height - 0.1).max(0.3);
+    if line.noun.ends_with(choose::OVER_DOOR) {
+        let doors = plan.draft.openings.iter().filter(|o| o.kind == OpeningKind::Door);
+        let high = doors.map(|door| door.size[1]).fold(Plan::size("door")[1], f64::max);
+        return (high + OVER_DOOR).clamp(0.3, under_ceiling);
+    }
     (EYES - height / 2.0).max(above_low(plan, line)).clamp(0.3, under_ceiling)
 }
 

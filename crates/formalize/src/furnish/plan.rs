@@ -12,7 +12,7 @@ use crate::names::{GivenNames, identifier, mentions};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
 use crate::write::number;
-use scenelang_lang::nouns;
+use scenelang_lang::nouns::{self, with_article};
 use std::borrow::Cow;
 
 /// A furnished room has at most so many things, those asked for included, unless more are asked for; what stands on shelves
@@ -600,8 +600,7 @@ pub fn for_people(source: &ThingOrigin) -> bool {
 
 /// Why a part is there.
 pub(super) fn why(of: &str, noun: &str, at: &Where) -> String {
-    let article = |noun: &str| if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-    let a = |noun: &str| format!("{} {noun}", article(noun));
+    let a = with_article;
     match at {
         Where::Top(..) => format!("{} needs {} on it", a(of), a(noun)),
         Where::Board(..) => format!("{} holds things", a(of)),

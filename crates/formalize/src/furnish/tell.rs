@@ -66,8 +66,8 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
             format!("assert {};", fixed(&at))
         }
         PlanPlace::Middle | PlanPlace::Floor => {
-            let yaw = metres(at.yaw);
-            every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= 0.6 and {x}.rot.y = {yaw}"))
+            let (yaw, off) = (metres(at.yaw), metres(off_walls(plan, poses, size)));
+            every(&|x| format!("onFloor({x}, {room}) and gap({x}, {room}) >= {off} and {x}.rot.y = {yaw}"))
         }
         PlanPlace::Back(_) | PlanPlace::Front(_) | PlanPlace::Before(..) | PlanPlace::Service(_) if n == 1 => {
             format!("assert {};", fixed(&at))
@@ -98,4 +98,20 @@ pub(super) fn tell(plan: &mut Plan, at: &Stood, why: &str) {
     if matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_)) && hung {
         plan.say(every(&|x| format!("wallMounted({x}, {room})")), why);
     }
+}
+
+/// How far from the walls something stands: so far that the chairs at it can be pulled out, as far as the plan has it so.
+fn off_walls(plan: &Plan, poses: &[Pose], [width, _, depth]: [f64; 3]) -> f64 {
+    const LEAST: f64 = 0.6;
+    const SEATED: f64 = 1.2;
+    if !plan.has_chairs() {
+        return LEAST;
+    }
+    let [w, _, d] = plan.draft.rooms[plan.room].size;
+    let gap = |at: &Pose| {
+        let [x, z] = if at.yaw.rem_euclid(180.0) == 0.0 { [width, depth] } else { [depth, width] };
+        ((w - x) / 2.0 - at.x.abs()).min((d - z) / 2.0 - at.z.abs())
+    };
+    let planned = poses.iter().map(gap).fold(SEATED, f64::min);
+    ((planned * 20.0).floor() / 20.0).max(LEAST)
 }

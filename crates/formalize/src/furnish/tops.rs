@@ -10,7 +10,7 @@ use super::{place, stand};
 use crate::brief::Group;
 use crate::draft::{DraftThing, ThingOrigin};
 use crate::names::{mentions, words};
-use scenelang_lang::nouns::{self, Stands};
+use scenelang_lang::nouns::{self, Stands, with_article};
 use std::sync::OnceLock;
 
 /// Nothing is put on what is higher (metres).
@@ -81,7 +81,7 @@ pub fn carry_on_new(plan: &mut Plan, at: usize) -> bool {
         gap: 0.0,
         by: Default::default(),
     };
-    single(plan, &line, n, &format!("{} stands on {}", a(&noun), a(carrier)));
+    single(plan, &line, n, &format!("{} stands on {}", with_article(&noun), with_article(carrier)));
     plan.draft.things.len() > before && carry(plan, at)
 }
 
@@ -109,15 +109,11 @@ fn put(plan: &mut Plan, at: usize, of: usize) -> bool {
     let element = |j: usize| if thing.count > 1 { format!("{}[{j}]", thing.name) } else { thing.name.clone() };
     let fixed: Vec<String> =
         (0..thing.count).map(|j| place::fixed(&element(j), &anchor(j), &places[j % each], own[1], 0.0)).collect();
-    let why = format!("{} stands on {}", a(&noun), a(&carrier.category.replace('_', " ")));
+    let why = format!("{} stands on {}", with_article(&noun), with_article(&carrier.category.replace('_', " ")));
     plan.say(format!("assert {};", fixed.join(" and ")), &why);
     plan.loads.extend(places.iter().map(|slot| (of, Taken::by(slot, own))));
     plan.claimed.push(at);
     true
-}
-
-fn a(noun: &str) -> String {
-    format!("{} {noun}", if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" })
 }
 
 /// Whether such things stand or lie on others.

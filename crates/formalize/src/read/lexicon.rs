@@ -147,7 +147,7 @@ const LOOKS: [(&str, LookWord); 5] = [
 ];
 
 /// What the relations are called in `relations.txt`.
-const RELATIONS: [(&str, Rel); 30] = [
+const RELATIONS: [(&str, Rel); 31] = [
     ("on", Rel::On),
     ("under", Rel::Under),
     ("above", Rel::Above),
@@ -174,6 +174,7 @@ const RELATIONS: [(&str, Rel); 30] = [
     ("visible", Rel::Visible),
     ("reachable", Rel::Reachable),
     ("backTo", Rel::BackTo),
+    ("sameWall", Rel::SameWall),
     ("from", Rel::From),
     ("of", Rel::Of),
     ("to", Rel::To),

@@ -5,6 +5,7 @@ use super::lexicon::get;
 use super::number;
 use super::paraphrase::put;
 use super::token::{self, Token};
+use crate::brief::Group;
 use crate::furnish::kinds::{self, Count, FurnishingKind};
 use scenelang_lang::nouns::plural;
 use std::sync::OnceLock;
@@ -89,6 +90,13 @@ pub fn plain(tokens: &mut Vec<Token>) {
             && (end > i + 1 || begin(tokens, at).is_none())
         {
             replace(tokens, zone, kind, from, end);
+        } else if let Some(words) = thing(tokens, i)
+            && let Some(from) = begin(tokens, i)
+            && room_of(&tokens[..from]).is_some()
+        {
+            let name: Vec<String> = tokens[i..i + words].iter().map(|t| t.text.clone()).collect();
+            let name: Vec<&str> = std::iter::once("a").chain(name.iter().map(String::as_str)).collect();
+            put(tokens, from, i + words + 1, &name);
         }
         i += 1;
     }
@@ -118,6 +126,16 @@ fn named(tokens: &[Token], i: usize) -> Option<(&'static Zone, usize)> {
             |name: &&&str| name.split(' ').enumerate().all(|(k, word)| tokens.get(i + k).is_some_and(|t| t.is(word)));
         zone.alone.iter().find(said).map(|name| (zone, i + name.split(' ').count()))
     })
+}
+
+/// Of how many words the name of a thing is that stands on the floor, if its area is spoken of: "a piano corner" has a piano.
+fn thing(tokens: &[Token], i: usize) -> Option<usize> {
+    const AREAS: [&str; 4] = ["area", "corner", "nook", "zone"];
+    let stands = |group| matches!(group, Group::Seat | Group::Table | Group::Bed | Group::Storage | Group::Floor);
+    let words = (1..LONGEST).find(|n| tokens.get(i + n).is_some_and(|t| AREAS.iter().any(|area| t.is(area))))?;
+    let told = tokens.get(i + words + 1).is_some_and(|t| HAS.iter().chain(&OWN).any(|word| t.is(word)));
+    let name: Vec<&str> = tokens[i..i + words].iter().map(|t| t.text.as_str()).collect();
+    (!told && get().noun(&name.join(" ")).is_some_and(stands)).then_some(words)
 }
 
 /// Where the noun phrase begins whose noun is such a part: at an article that follows a word of a list.
@@ -223,6 +241,10 @@ mod tests {
             ("a bookshop with a reading corner", "a bookshop with a reading chair"),
             ("a bakery with a seating area", "a bakery with cafe tables"),
             ("a bank with a waiting area", "a bank with waiting chairs"),
+            // The area of a thing.
+            ("a gym with treadmills and a locker area", "a gym with treadmills and three lockers and a locker bench"),
+            ("a lounge with a piano corner", "a lounge with a piano"),
+            ("a lounge with a pool table area and a bar", "a lounge with a pool table and a bar"),
             // What is a room.
             ("i want a reading nook with a bookshelf", "i want a reading nook with a bookshelf"),
             (

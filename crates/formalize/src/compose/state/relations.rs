@@ -70,6 +70,7 @@ impl Named<'_> {
             Rel::In | Rel::Under => self.carried_rel(&said, out),
             // What stands on the floor and is tall is above nothing: it is by it on the plan.
             Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
+            Rel::SameWall => self.at_wall_of(&said, out),
             Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
             Rel::Beside | Rel::Sides => self.beside_rel(&said, out),
             Rel::InFrontOf | Rel::Behind => self.in_front_rel(&said, out),
@@ -100,6 +101,24 @@ impl Named<'_> {
             Rel::LeftOf | Rel::RightOf | Rel::Above | Rel::Parallel | Rel::Aligned => self.ordered_rel(&said, out),
             Rel::Between | Rel::From | Rel::Of | Rel::To | Rel::Than => {}
         }
+    }
+
+    /// At the wall at which another thing is. A door or window may look to either side of its wall.
+    fn at_wall_of(&self, said: &Said, out: &mut Vec<String>) {
+        let Said { a, b, verb, .. } = *said;
+        let hangs = matches!(self.group(a), Group::Wall | Group::Screen | Group::Drape);
+        let (room, at) = (self.room(a), if hangs { "wallMounted" } else { "againstWall" });
+        if !self.brief.things[a].opening() {
+            out.push(format!("{verb} {};", self.all(a, |x| format!("{at}({x}, {room})"))));
+        }
+        let is_hole = self.brief.things[a].opening() || self.brief.things[b].opening();
+        let same = |x: &str, y: &str| match is_hole {
+            true => {
+                format!("abs(dot({x}.front, {y}.front)) >= 0.9 and abs(dot({x}.center - {y}.center, {y}.front)) <= 1")
+            }
+            false => format!("dot({x}.front, {y}.front) >= 0.9"),
+        };
+        out.push(format!("{verb} {};", self.matched(said, &same)));
     }
 
     /// Twice as many of one as of the other: one at each side.
