@@ -22,6 +22,7 @@ mod number;
 mod open_plan;
 mod owner;
 mod paraphrase;
+mod paths;
 mod people;
 mod phrases;
 mod quantified;
@@ -115,6 +116,9 @@ pub fn brief(request: &str) -> Brief {
         }
         used[people::count(&mut brief.rooms, &tokens)].fill(true);
         for said in people::each(&mut brief, &tokens) {
+            used[said] = true;
+        }
+        for said in paths::say(&mut brief, &tokens) {
             used[said] = true;
         }
         if let Some(whole) = found.whole {

@@ -108,7 +108,8 @@ impl Reader<'_> {
     pub(super) fn path_follows(&self, i: usize) -> bool {
         let at = &self.chunks[i].at;
         let around = at.start.saturating_sub(3)..(at.end + 3).min(self.tokens.len());
-        self.tokens[around].iter().any(|t| matches!(t.text.as_str(), "aisle" | "path" | "walkway" | "passage"))
+        let ways = ["aisle", "aisles", "path", "paths", "walkway", "walkways", "passage", "passages"];
+        self.tokens[around].iter().any(|t| ways.iter().any(|way| t.is(way)))
     }
 
     /// A way so wide: to what the sentence speaks of, from its door.
