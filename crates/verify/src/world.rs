@@ -347,7 +347,7 @@ impl<N: Number> World<N> {
 
     /// Puts an object elsewhere; its parts go with it. Does nothing for an object that the instance lacks.
     pub fn place(&mut self, object: ObjectId, pos: V3<N>, rot: V3<N>, scale: V3<N>) {
-        self.walks = Walks::default();
+        self.walks.forget();
         if let Some(thing) = &mut self.objects[object.0 as usize] {
             thing.body.place(pos.value(), rot.value(), scale.value());
             (thing.pos, thing.rot, thing.scale, thing.axes) = (pos, rot, scale, M3::rotation(rot));
@@ -357,7 +357,7 @@ impl<N: Number> World<N> {
     /// Puts a rectangular region elsewhere; of an outlined one only floor and height change. Does nothing for a region
     /// that the instance lacks.
     pub fn place_region(&mut self, region: RegionId, pos: V3<N>, rot: V3<N>, scale: V3<N>) {
-        self.walks = Walks::default();
+        self.walks.forget();
         if let Some(room) = &mut self.regions[region.0 as usize] {
             let plain = RegionPlacement { pos: pos.value(), rot: rot.value(), scale: scale.value(), vertices: None };
             if let Ok(prism) = Prism::from_placement(&plain) {

@@ -28,11 +28,15 @@ pub(super) struct Ground {
     pub obstacles: Vec<Obstacle>,
 }
 
+/// The floor made of rooms and doors (simple polygons).
+pub(super) fn whole(outlines: &[Vec<Vec2>]) -> MultiPolygon {
+    let outlines: Vec<Polygon> = outlines.iter().map(|corners| polygon(corners)).collect();
+    unary_union(&outlines)
+}
+
 impl Ground {
-    /// The floor made of `rooms` (simple polygons), with walls around it and objects on it.
-    pub fn new(rooms: impl IntoIterator<Item = Vec<Vec2>>, objects: impl IntoIterator<Item = Obstacle>) -> Self {
-        let rooms: Vec<Polygon> = rooms.into_iter().map(|corners| polygon(&corners)).collect();
-        let whole = unary_union(&rooms);
+    /// A floor with walls around it and objects on it.
+    pub fn new(whole: MultiPolygon, objects: impl IntoIterator<Item = Obstacle>) -> Self {
         let rings = whole.iter().flat_map(|p| std::iter::once(p.exterior()).chain(p.interiors()));
         let walls = rings.flat_map(|ring| ring.lines().map(|line| vec![vec(line.start), vec(line.end)]));
         let walls = walls.map(|outline| Obstacle { object: None, outline });
@@ -209,7 +213,7 @@ mod tests {
             radius in 0.1..0.5_f64,
         ) {
             let obstacle = |b: &[f64; 4]| Obstacle { object: None, outline: rectangle(*b) };
-            let ground = Ground::new([rectangle([0.0, 0.0, 5.0, 5.0])], boxes.iter().map(obstacle));
+            let ground = Ground::new(whole(&[rectangle([0.0, 0.0, 5.0, 5.0])]), boxes.iter().map(obstacle));
             let through = |radius: f64, corners: usize, reach: f64| {
                 let floor = ground.free(radius, corners, None);
                 let near = |k: usize| floor.pieces_near(&rectangle(boxes[k]), reach, corners);

@@ -16,10 +16,13 @@ use crate::tolerances::Options;
 use crate::world::World;
 use bottleneck::Tried;
 use free::{Floor, Ground, Obstacle};
+use geo::MultiPolygon;
 use rustc_hash::FxHashMap;
 use scenelang_lang::program::{ObjectId, RegionId};
 use scenelang_layout::planar::{depth_in_convex, nearest_on_segment};
 use scenelang_layout::{Obb, Prism, Vec2, inside_clearance};
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// What reaches no higher than this above the floor is stepped over (metres).
@@ -42,7 +45,12 @@ const COARSE: usize = 64;
 
 /// What is known about walking in one instance, each thing found out when it is first asked for.
 #[derive(Debug, Default)]
-pub(crate) struct Walks(Mutex<Known>);
+pub(crate) struct Walks {
+    known: Mutex<Known>,
+    /// Whether there was no way the last time that somebody asked. Where things are tried here and there, there will probably
+    /// be none the next time either: that is looked at first then. What is found does not depend on it.
+    barred: AtomicBool,
+}
 
 /// The bits of the radius of a disc and its corners, its storey, and the bits of the corners of a footprint.
 type Beside = (u64, usize, Option<RegionId>, Vec<[u64; 2]>);
@@ -60,6 +68,8 @@ struct Known {
     near: FxHashMap<Beside, Arc<[usize]>>,
     /// What keeps a disc of a radius from getting from one object to another.
     bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
+    /// The outlines of rooms and doors, and the floor made of them.
+    whole: Option<(Vec<Vec<Vec2>>, MultiPolygon)>,
 }
 
 /// Who walks where.
@@ -75,13 +85,28 @@ struct Walk {
 
 impl Clone for Walks {
     fn clone(&self) -> Self {
-        Self(Mutex::new(self.lock().clone()))
+        let barred = AtomicBool::new(self.barred.load(Relaxed));
+        Self { known: Mutex::new(self.lock().clone()), barred }
     }
 }
 
 impl Walks {
     fn lock(&self) -> std::sync::MutexGuard<'_, Known> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+    /// Forgets what is not so any more when something has moved.
+    pub(crate) fn forget(&mut self) {
+        let known = self.known.get_mut().unwrap_or_else(PoisonError::into_inner);
+        *known = Known { whole: known.whole.take(), ..Known::default() };
+    }
+    /// The floor made of rooms and doors.
+    fn whole(&self, outlines: Vec<Vec<Vec2>>) -> MultiPolygon {
+        if let Some((_, whole)) = self.lock().whole.as_ref().filter(|(of, _)| *of == outlines) {
+            return whole.clone();
+        }
+        let whole = free::whole(&outlines);
+        self.lock().whole = Some((outlines, whole.clone()));
+        whole
     }
     fn floor<N: Number>(&self, world: &World<N>, walk: Walk) -> Arc<Floor> {
         if let Some((_, floor)) = self.lock().floors.iter().find(|(known, _)| *known == walk) {
@@ -135,16 +160,16 @@ pub(crate) fn reachable<N: Number>(world: &World<N>, a: &Obb, b: &Obb, width: f6
         !from.is_empty() && near(b).iter().any(|piece| from.contains(piece))
     };
     let reach = radius + NEAR;
-    // Few corners cost little, and nearly always tell.
-    for (around, within) in AROUND.into_iter().zip(WITHIN) {
-        if through(radius / apothem(around), around, reach) {
-            return true;
-        }
-        if !through(radius, within, reach / apothem(within)) {
-            return false;
-        }
-    }
-    through(radius, FINE, reach)
+    let barred = world.walks.barred.load(Relaxed);
+    let decided = AROUND.into_iter().zip(WITHIN).find_map(|(around, within)| {
+        // Few corners cost little, and nearly always tell.
+        let passes = || through(radius / apothem(around), around, reach).then_some(true);
+        let fails = || (!through(radius, within, reach / apothem(within))).then_some(false);
+        if barred { fails().or_else(passes) } else { passes().or_else(fails) }
+    });
+    let reached = decided.unwrap_or_else(|| through(radius, FINE, reach));
+    world.walks.barred.store(!reached, Relaxed);
+    reached
 }
 
 /// Why a disc of the given diameter cannot move from one object to the other, which is known. `None`: there is no way
@@ -233,7 +258,7 @@ fn ground<N: Number>(world: &World<N>, storey: Option<RegionId>, radius: f64) ->
     let rooms = world.prisms().filter(|(id, _)| storey_of(world, *id) == storey);
     let rooms: Vec<_> = rooms.map(|(_, prism)| prism.polygon.corners().to_vec()).collect();
     let doors = bodies().filter(|(id, _)| is_door(world, *id)).map(|(_, obb)| opening(obb, &world.options));
-    Ground::new(rooms.into_iter().chain(doors), obstacles)
+    Ground::new(world.walks.whole(rooms.into_iter().chain(doors).collect()), obstacles)
 }
 
 /// The obstacle whose outline a disc of a person touches at a place, with the point of it that is touched.

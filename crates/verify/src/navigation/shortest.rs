@@ -276,7 +276,7 @@ fn shores(places: &Places, floor: &[Segment]) -> Vec<Shore> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::free::{Ground, Obstacle};
+    use super::super::free::{Ground, Obstacle, whole};
     use super::*;
     use proptest::prelude::*;
 
@@ -288,7 +288,7 @@ mod tests {
 
     fn floor<const R: usize>(rooms: [Vec<Vec2>; R], obstacles: &[Vec<Vec2>], radius: f64, corners: usize) -> Floor {
         let obstacles = obstacles.iter().map(|outline| Obstacle { object: None, outline: outline.clone() });
-        Ground::new(rooms, obstacles).free(radius, corners, None)
+        Ground::new(whole(&rooms), obstacles).free(radius, corners, None)
     }
 
     fn length(floor: &Floor, from: &[Places], to: &[Places]) -> f64 {
