@@ -132,6 +132,8 @@ fn what_is_asked_for_keeps_its_number() {
         ("A living room with no rug.", "rug", 0),
         ("A bathroom with a shower and no bathtub.", "bathtub", 0),
         ("An office with a desk.", "desk", 1),
+        ("A gym with six treadmills and a locker area.", "locker", 3),
+        ("An office for six people with a plant in each corner.", "plant", 4),
     ] {
         assert_eq!(count(&draft(request), noun), number, "{request}");
     }
@@ -171,6 +173,8 @@ fn there_is_a_place_for_each_of_so_many_people() {
         ("An office for a staff of four.", "desk", 4),
         // One bin is at one of the desks.
         ("An office for a team of five with a printer corner and a bin.", "desk", 5),
+        // Plants in the corners keep them, and take no desks away.
+        ("An office for six people with a plant in each corner.", "desk", 6),
     ] {
         assert!(count(&draft(request), noun).abs_diff(n) <= 1, "{request}: {}", count(&draft(request), noun));
     }
@@ -307,6 +311,7 @@ fn what_is_asked_for_stands_with_what_it_goes_with() {
         ("A kitchen with a fridge, a stove and a sink.", "stove", "kitchen_counter", 1.8),
         ("A living room with a sofa and two armchairs.", "armchair", "coffee_table", 1.5),
         ("A living room with a sofa, a coffee table and a TV.", "coffee_table", "sofa", 1.4),
+        ("A reception area with a desk, a sofa and two armchairs for visitors.", "armchair", "coffee_table", 1.5),
         ("A bedroom with a double bed and two nightstands.", "nightstand", "double_bed", 1.5),
         ("An office with a desk and two chairs.", "chair", "desk", 1.4),
         ("A conference room with a large table and 12 chairs.", "chair", "conference_table", 2.6),
