@@ -14,7 +14,7 @@ use scenelang_formalize::write::write;
 use scenelang_formalize::{Brief, Options, Reading, of_brief, read, read_brief};
 use scenelang_layout::Layout;
 use scenelang_solve::Stop;
-use scenelang_synth::{Failure, Tried, rehearsed};
+use scenelang_synth::{Failure, Tried, rehearse_reading};
 use serde_json::json;
 use std::fmt::Write;
 use std::io::Read;
@@ -241,7 +241,7 @@ pub fn try_out(reading: &mut Reading, stop: &Stop) -> (Tried, Option<Layout>) {
     }
     let progress = Progress::new("checking whether a layout exists");
     let mut follow = |now: scenelang_solve::Progress| progress.say(format!("trying: {}", solving(&now)));
-    let tried = rehearsed(&mut reading.draft, stop, &mut follow);
+    let tried = rehearse_reading(reading, stop, &mut follow);
     reading.draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     tried
 }

@@ -29,6 +29,8 @@ pub struct Draft {
     /// Where a search may begin: the name of an object or of an element, its x, y, z in the scene, and its turn. No part of
     /// the program.
     pub places: Vec<(String, [f64; 4])>,
+    /// How often nothing was found in rooms as large as their things need; see [`crate::Reading::roomier`].
+    pub roomier: usize,
 }
 
 impl Draft {

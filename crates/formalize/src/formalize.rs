@@ -93,6 +93,7 @@ impl Formalized {
             read,
             absent: Vec::new(),
             words: Vec::new(),
+            furnished: None,
         }
     }
 }

@@ -7,7 +7,9 @@ use scenelang_base::{Diagnostic, Severity};
 use scenelang_formalize::{Options as Reading, overfull, read, write::write};
 use scenelang_layout::file as layout_file;
 use scenelang_solve::{End, MOST_OBJECTS, Stop};
-use scenelang_synth::{Failure, Hold, JudgedLayout, LayoutRequest, Observer, PLANNED, Solved, Stage, Tried, rehearsed};
+use scenelang_synth::{
+    Failure, Hold, JudgedLayout, LayoutRequest, Observer, PLANNED, Solved, Stage, Tried, rehearse_reading,
+};
 use scenelang_verify::report::statement_id;
 use scenelang_verify::{Checked, Options};
 use serde_json::{Value, json};
@@ -106,7 +108,7 @@ pub fn write_room(request: &str) -> Result<Value, Refused> {
     let objects: usize = reading.draft.things.iter().map(|thing| thing.count).sum();
     let (mut end, mut planned) = (Tried::Holds, None);
     if objects <= MOST_OBJECTS {
-        (end, planned) = rehearsed(&mut reading.draft, &Stop::default(), &mut |_| {});
+        (end, planned) = rehearse_reading(&mut reading, &Stop::default(), &mut |_| {});
         reading.draft.notes.sort_by_key(|note| (note.at.start, note.at.end));
     }
     let program = write(&reading.draft);

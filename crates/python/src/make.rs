@@ -11,7 +11,9 @@ use scenelang_sample::{Sampler, Settings};
 use scenelang_solve::repair::told::{AlternativesReport, rows};
 use scenelang_solve::repair::{Alternative, Damaged, RepairOptions, Text, Unjudged, Which, edited, repair as look};
 use scenelang_solve::{End, MOST_OBJECTS};
-use scenelang_synth::{Failure, Hold, JudgedLayout, LayoutRequest, Observer, Stage, Tried, rehearsed, too_large};
+use scenelang_synth::{
+    Failure, Hold, JudgedLayout, LayoutRequest, Observer, Stage, Tried, rehearse_reading, too_large,
+};
 use scenelang_verify::Checked;
 use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use scenelang_verify::report::statement_id;
@@ -203,7 +205,7 @@ pub fn formalize(py: Python<'_>, request: &str, literal: bool, tried: bool) -> P
         let objects: usize = reading.draft.things.iter().map(|thing| thing.count).sum();
         let mut end = None;
         if tried && !reading.nothing && objects <= MOST_OBJECTS {
-            end = Some(rehearsed(&mut reading.draft, stop, &mut |_| {}).0);
+            end = Some(rehearse_reading(&mut reading, stop, &mut |_| {}).0);
             reading.draft.notes.sort_by_key(|note| (note.at.start, note.at.end));
         }
         let of = |at: &std::ops::Range<usize>| request.get(at.clone()).unwrap_or_default();

@@ -22,4 +22,4 @@ pub use furnish::{Chosen, Earlier, Furnished, asset_of, furnish, furnish_from, q
 pub use hold::Hold;
 pub use manifest::{manifest, told};
 pub use output::{furniture_file, own_files, program_files, scene};
-pub use rehearse::{Tried, rehearse, rehearsed};
+pub use rehearse::{Tried, rehearse, rehearse_reading};

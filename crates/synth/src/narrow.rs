@@ -153,7 +153,8 @@ fn tried(draft: &Draft, from: Option<&Layout>, stop: &Stop, progress: &mut dyn F
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Tried, rehearsed};
+    use crate::Tried;
+    use crate::rehearse::rehearsed;
     use scenelang_formalize::{Options as Reading, read};
     use scenelang_verify::rules::open;
 

@@ -7,7 +7,7 @@ use crate::refute::give_up_refuted;
 use scenelang_formalize::draft::ThingOrigin;
 use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
-use scenelang_formalize::{Draft, arrange_rooms, overfull};
+use scenelang_formalize::{Draft, Reading, arrange_rooms, overfull};
 use scenelang_lang::program::{Constraint, ConstraintKind, ObjectId, Program};
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, Vec3};
@@ -32,6 +32,8 @@ const PART: usize = 3;
 /// How often a room grows whose size nobody gave, and by how much.
 const TIMES: usize = 3;
 const GROWTH: f64 = 1.15;
+/// How often all rooms whose size nobody gave are larger, and furnished anew.
+const ROOMIER: usize = 3;
 /// How often some of what was added is left out, before all of it is.
 const PATIENT: usize = 6;
 /// Why a statement became a preference.
@@ -58,27 +60,58 @@ pub fn rehearse(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progres
 
 /// The same with the layout, where one was found from the places that the draft has for its things. It stands up to all
 /// that must hold, and who lays out the program may begin with it.
-pub fn rehearsed(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> (Tried, Option<Layout>) {
+pub(crate) fn rehearsed(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> (Tried, Option<Layout>) {
     if overfull(draft).is_some() {
         return (Tried::Overfull, None);
     }
-    // Preferences have no part in whether there is a layout.
-    let guided = std::mem::take(&mut draft.guided);
-    let found = match planned(draft, stop, progress) {
+    match planned(&plain(draft), stop, progress) {
         Some(layout) => (Tried::Holds, Some(layout)),
-        None => {
-            let end = searched(draft, stop, progress);
-            // What opens just so far is found again from here, and hardly from nothing.
-            let layout = if end == Tried::Holds { widened(draft, stop, progress) } else { None };
-            if end != Tried::Holds {
-                // It was of no use.
-                draft.narrowed.clear();
-            }
-            (end, layout)
+        None => reduced(draft, stop, progress),
+    }
+}
+
+/// The same of a request that was read. Where furniture was added and there is no layout with all of it, rooms whose size nobody
+/// gave are made larger before any of it is left out.
+pub fn rehearse_reading(
+    reading: &mut Reading,
+    stop: &Stop,
+    progress: &mut dyn FnMut(Progress),
+) -> (Tried, Option<Layout>) {
+    if overfull(&reading.draft).is_some() {
+        return (Tried::Overfull, None);
+    }
+    if let Some(layout) = planned(&plain(&reading.draft), stop, progress) {
+        return (Tried::Holds, Some(layout));
+    }
+    for times in 1..=ROOMIER {
+        let Some(larger) = reading.roomier(times).filter(|_| !stop.is_set()) else { break };
+        if overfull(&larger.draft).is_none()
+            && let Some(layout) = planned(&plain(&larger.draft), stop, progress)
+        {
+            *reading = larger;
+            return (Tried::Holds, Some(layout));
         }
-    };
+    }
+    reduced(&mut reading.draft, stop, progress)
+}
+
+/// A draft without the guidelines: preferences have no part in whether there is a layout.
+fn plain(draft: &Draft) -> Draft {
+    Draft { guided: false, ..draft.clone() }
+}
+
+/// Gives up what is in the way of a layout.
+fn reduced(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> (Tried, Option<Layout>) {
+    let guided = std::mem::take(&mut draft.guided);
+    let end = searched(draft, stop, progress);
+    // What opens just so far is found again from here, and hardly from nothing.
+    let layout = if end == Tried::Holds { widened(draft, stop, progress) } else { None };
+    if end != Tried::Holds {
+        // It was of no use.
+        draft.narrowed.clear();
+    }
     draft.guided = guided;
-    found
+    (end, layout)
 }
 
 /// The layout that comes of the places that the draft has for its things, with what has none placed among them.

@@ -17,7 +17,7 @@ use scenelang_export::OutFile;
 use scenelang_formalize::write::write;
 use scenelang_llm::Session;
 use scenelang_solve::MOST_OBJECTS;
-use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage, rehearsed, solve};
+use scenelang_synth::{Failure, Hold, LayoutRequest, Observer, Stage, rehearse_reading, solve};
 use scenelang_verify::{Explain, exit_code};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -160,7 +160,7 @@ fn make(asked: &AnnotatedRequest, scene: &Path, layout: &Path) -> Result<Option<
     let objects: usize = reading.draft.things.iter().map(|thing| thing.count).sum();
     let mut planned = None;
     if objects <= MOST_OBJECTS {
-        planned = rehearsed(&mut reading.draft, &stop, &mut |_| {}).1;
+        planned = rehearse_reading(&mut reading, &stop, &mut |_| {}).1;
     }
     if stop.is_set() {
         return Ok(None);

@@ -72,7 +72,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
     // A ward is as large as its beds need.
     let is_ward = kind.is_some_and(|kind| kind.bay.is_some());
-    if scale(brief, at) != Scale::Large && !is_ward {
+    if scale(brief, at) != Scale::Large && !is_ward && draft.roomier == 0 {
         let most = kind.map_or(1.0, |kind| kind.idle);
         let least = if brief.facts.len() > FACTS { TOLD } else { LEAST } * counted;
         shrink(draft, empty, at, (most, least), furnished, &once);

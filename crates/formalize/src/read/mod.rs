@@ -37,7 +37,7 @@ mod zones;
 use crate::brief::{Brief, MOST_GUIDED, Room, Word};
 use crate::complete::{Extent, complete};
 use crate::compose::compose;
-use crate::draft::{Draft, Note};
+use crate::draft::{Draft, DraftRoom, Note};
 use crate::furnish::{furnish, has_place_for_first};
 use crate::reconcile::{reconcile, reconcile_quickly};
 use account::Account;
@@ -70,9 +70,20 @@ pub struct Reading {
     pub words: Vec<Word>,
     /// Whether nothing came of the request at all.
     pub nothing: bool,
+    /// What was furnished, if anything was.
+    pub(crate) furnished: Option<Box<Brief>>,
 }
 
 impl Reading {
+    /// The same with more floor in rooms whose size nobody gave, for requests of which no layout is found with all furniture:
+    /// the first time rooms are as large as such rooms usually are, then larger and larger. `None`: every room has its size,
+    /// or nothing was added.
+    pub fn roomier(&self, times: usize) -> Option<Self> {
+        let brief = self.furnished.as_ref()?;
+        let is_free = |room: &DraftRoom| !room.sized && room.outline.is_none();
+        self.draft.rooms.iter().any(is_free).then(|| furnished(Brief::clone(brief), times))
+    }
+
     /// The words that say something, of which nothing came and no note speaks: lost without a word.
     pub fn silent(&self) -> Vec<Range<usize>> {
         let told = |at: &Range<usize>| self.draft.notes.iter().any(|n| n.at.start <= at.start && at.end <= n.at.end);
@@ -158,26 +169,39 @@ pub fn as_said(request: &str) -> Draft {
 /// A brief as a draft.
 pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     brief.bound();
-    let unknown = unknown::notes(&brief);
     let nothing = brief.words.iter().all(|word| !word.used) && brief.things.is_empty();
-    let extent = if nothing || options.literal { Extent::Literal } else { Extent::Usual };
-    let brief = complete(brief, extent);
-    let mut draft = if extent == Extent::Usual { with_room_for_all(&brief) } else { compose(&brief) };
+    if !nothing && !options.literal {
+        return furnished(brief, 0);
+    }
+    let unknown = unknown::notes(&brief);
+    let brief = complete(brief, Extent::Literal);
+    let mut draft = compose(&brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned().chain(unknown));
     let people = brief.rooms.iter().find_map(|room| room.people);
-    let people = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none()));
-    if let (Extent::Literal, Some(people)) = (extent, people) {
+    if let Some(people) = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none())) {
         let reason = format!("for {people} people: no statement can express this without added objects");
         draft.notes.push(Note { at: people::phrase(&brief.request), reason });
     }
-    if extent == Extent::Usual {
-        draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;
-        if !draft.guided {
-            let reason =
-                format!("the program does not import the guidelines, because it has more than {MOST_GUIDED} objects");
-            draft.notes.push(Note { at: 0..0, reason });
-        }
+    Reading { nothing, ..reading(draft, brief) }
+}
+
+/// A brief as a draft with furniture, in rooms that are `roomier`.
+fn furnished(said: Brief, roomier: usize) -> Reading {
+    let unknown = unknown::notes(&said);
+    let brief = complete(said.clone(), Extent::Usual);
+    let mut draft = with_room_for_all(&brief, roomier);
+    draft.notes.splice(0..0, brief.notes.iter().cloned().chain(unknown));
+    draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;
+    if !draft.guided {
+        let reason =
+            format!("the program does not import the guidelines, because it has more than {MOST_GUIDED} objects");
+        draft.notes.push(Note { at: 0..0, reason });
     }
+    Reading { furnished: Some(Box::new(said)), ..reading(draft, brief) }
+}
+
+/// A draft that contradicts itself nowhere, with what became of the words of its brief.
+fn reading(mut draft: Draft, brief: Brief) -> Reading {
     reconcile(&mut draft);
     draft.notes.sort_by_key(|n| (n.at.start, n.at.end));
     draft.notes.dedup();
@@ -189,17 +213,24 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
         read: clauses,
         absent: brief.absent,
         words: brief.words,
-        nothing,
+        nothing: false,
+        furnished: None,
     }
 }
 
 /// A furnished draft. Of several rooms each has the place that what matters most in it needs: a bedroom grows that has no room for
 /// its bed beside its doors.
-fn with_room_for_all(brief: &Brief) -> Draft {
+fn with_room_for_all(brief: &Brief, roomier: usize) -> Draft {
     const GROWN: usize = 3;
     const GROWTH: f64 = 1.12;
+    let mut brief = brief.clone();
+    // One room that nothing makes smaller has more floor already.
+    let times = if brief.rooms.len() == 1 { roomier.saturating_sub(1) } else { roomier };
+    for [w, _, d] in brief.rooms.iter_mut().filter_map(|room| room.usual.as_mut()) {
+        (*w, *d) = (*w * GROWTH.powi(times as i32), *d * GROWTH.powi(times as i32));
+    }
     let furnished = |brief: &Brief| {
-        let mut draft = compose(brief);
+        let mut draft = Draft { roomier, ..compose(brief) };
         // What was added contradicts nothing, either, so the close look comes after it.
         reconcile_quickly(&mut draft);
         furnish(&mut draft, brief);
@@ -209,7 +240,7 @@ fn with_room_for_all(brief: &Brief) -> Draft {
         let free = |at: &usize| !draft.rooms[*at].sized && draft.rooms.len() > 1;
         (0..draft.rooms.len()).filter(free).filter(|at| !has_place_for_first(draft, *at)).collect()
     };
-    let mut draft = furnished(brief);
+    let mut draft = furnished(&brief);
     let mut rooms = narrow(&draft);
     let mut larger = brief.clone();
     for _ in 0..GROWN {

@@ -1,5 +1,6 @@
 //! Rooms that are one room: "an open-plan living room and kitchen" is a living room with what a kitchen has along its wall.
 
+use super::lexicon::get;
 use super::paraphrase::{put, word};
 use super::token::{Token, WordKind};
 use super::zones::HOMES;
@@ -24,6 +25,7 @@ const WHOLE: [&str; 4] = ["living", "lounge", "kitchen", "dining"];
 
 /// Turns several rooms that are said to be one into the first of them, with what the others have.
 pub fn plain(tokens: &mut Vec<Token>) {
+    room_at_home(tokens);
     one_room(tokens);
     open_kitchen(tokens);
     let mut i = 0;
@@ -34,6 +36,24 @@ pub fn plain(tokens: &mut Vec<Token>) {
             merge(tokens, i, first);
         } else if shares_room(tokens, i) {
             merge(tokens, i, i);
+        }
+        i += 1;
+    }
+}
+
+/// "A home recording den" is a den, and no home with its rooms.
+fn room_at_home(tokens: &mut Vec<Token>) {
+    const MOST: usize = 3;
+    let lexicon = get();
+    let mut i = 0;
+    while i < tokens.len() {
+        let after = tokens[i + 1..].iter().take(MOST);
+        let plain = |t: &&Token| t.word() && lexicon.relation(std::slice::from_ref(t)).is_none() && !t.is("and");
+        let words: Vec<String> = after.take_while(plain).map(|t| t.text.clone()).collect();
+        let names = |n: usize| lexicon.room_ending(&words[..n]).is_some();
+        let is_own = |n: usize| lexicon.room(&format!("home {}", words[..n].join(" "))).is_some();
+        if tokens[i].is("home") && (1..=words.len()).any(names) && !(1..=words.len()).any(is_own) {
+            tokens.remove(i);
         }
         i += 1;
     }

@@ -9,9 +9,11 @@ use crate::write::number;
 pub(super) const NEAR: f64 = 1.0;
 /// How far away what stands in front of a door or a window is at most, in metres: there is room to open it.
 pub(super) const BEFORE: f64 = 1.4;
-/// How far a seat is from its table.
 /// How far the seats around a fire are from it at most (metres).
 const BY_FIRE: f64 = 3.2;
+/// How high a window begins that is asked for (metres).
+const SILL: f64 = 0.9;
+/// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far apart things are that stand across from each other, at least.
 pub(in crate::compose) const ACROSS: f64 = 1.5;
@@ -76,7 +78,10 @@ impl Named<'_> {
             Rel::InFrontOf | Rel::Behind => self.in_front_rel(&said, out),
             Rel::Near => out.push(format!("{verb} {};", pairs(&far(self.reach(a, b))))),
             Rel::Against | Rel::Along => {
-                out.push(format!("{verb} {};", pairs(&far(if rel == Rel::Against { 0.1 } else { 0.5 }))))
+                let off = if rel == Rel::Against { 0.1 } else { 0.5 };
+                // A window begins above a desk that stands against it.
+                let up = if gb == Group::Window { (SILL - self.sizes[a][1]).max(0.0) } else { 0.0 };
+                out.push(format!("{verb} {};", pairs(&far(((off + up) * 20.0).ceil() / 20.0))));
             }
             Rel::Facing | Rel::Opposite => self.facing_rel(&said, out),
             Rel::Far => {
