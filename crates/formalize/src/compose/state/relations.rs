@@ -11,6 +11,8 @@ pub(super) const NEAR: f64 = 1.0;
 pub(super) const BEFORE: f64 = 1.4;
 /// How far the seats around a fire are from it at most (metres).
 const BY_FIRE: f64 = 3.2;
+/// So many of several things stand along one window.
+const ABREAST: usize = 2;
 /// How high a window begins that is asked for (metres).
 const SILL: f64 = 0.9;
 /// How far a seat is from its table.
@@ -78,7 +80,12 @@ impl Named<'_> {
             Rel::InFrontOf | Rel::Behind => self.in_front_rel(&said, out),
             Rel::Near => out.push(format!("{verb} {};", pairs(&far(self.reach(a, b))))),
             Rel::Against | Rel::Along => {
-                let off = if rel == Rel::Against { 0.1 } else { 0.5 };
+                let off = match rel {
+                    Rel::Against => 0.1,
+                    // Many tables along a window are longer than that.
+                    _ if gb == Group::Window && self.counts[a] > ABREAST => self.reach(a, b),
+                    _ => 0.5,
+                };
                 // A window begins above a desk that stands against it.
                 let up = if gb == Group::Window { (SILL - self.sizes[a][1]).max(0.0) } else { 0.0 };
                 out.push(format!("{verb} {};", pairs(&far(((off + up) * 20.0).ceil() / 20.0))));
