@@ -494,6 +494,28 @@ mod tests {
         assert_eq!([fixed.rooms[0].size[0], fixed.rooms[0].size[2]], [3.0, 2.0]);
     }
 
+    /// In a room whose size nobody gave, all that is asked for holds with all furniture, in a larger room if need be.
+    #[test]
+    fn a_room_grows_before_its_furniture_is_left_out() {
+        for request in [
+            "A kitchen with an island in the center.",
+            "A bedroom with a wardrobe opposite the bed.",
+            "A bedroom with a bed under the window.",
+            "An office with a desk against the window.",
+            "A living room with a sofa against the window.",
+            "A living room with a lamp in each corner.",
+            "A study with a desk facing the window.",
+            "A living room with a TV above the fireplace.",
+        ] {
+            let mut reading = read(request, &Options::default());
+            let (end, layout) = rehearse_reading(&mut reading, &Stop::default(), &mut |_| ());
+            assert!(end == Tried::Holds && layout.is_some(), "{request}");
+            let draft = &reading.draft;
+            assert!(draft.left_out.is_empty(), "{request}: {:?}", draft.left_out);
+            assert!(draft.notes.iter().all(|note| note.reason != REASON), "{request}: {:?}", draft.notes);
+        }
+    }
+
     #[test]
     fn a_door_opens_less_freely_before_what_was_said_is_given_up() {
         let request = "A hallway, 1 by 1.2 m. It has a door. There is a cupboard, 90 cm wide, 40 cm deep and 2 m high.";

@@ -131,7 +131,8 @@ pub fn fence(brief: &mut Brief) {
     }
 }
 
-pub(super) fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {
+/// Adds things that nobody asked for; the index of them.
+pub(crate) fn push(brief: &mut Brief, room: usize, name: &str, count: usize, why: &str) -> usize {
     let words: Vec<String> = name.split(' ').map(|w| if plural(w) { singular(w) } else { w.to_owned() }).collect();
     let (last, group) = get().noun_ending(&words).unwrap_or((1, Group::Floor));
     brief.things.push(Thing {

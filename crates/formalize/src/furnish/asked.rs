@@ -261,7 +261,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let is_on_floor = stand::on_floor(plan.draft, &it);
     let pair = plan.ground.is_some()
         && (facing::is_pair(plan, thing) || facing::is_pair_of_desks(plan, thing) || facing::is_set(plan, thing, 3));
-    let wall = if is_on_floor && it.count <= 4 && has_back && !pair { at_a_wall(plan, thing) } else { AtWall::No };
+    let is_at_wall = is_on_floor && it.count <= 4 && has_back && !pair && !is_backed(plan, &it.name);
+    let wall = if is_at_wall { at_a_wall(plan, thing) } else { AtWall::No };
     // One reads in a corner where nobody else sits on soft seats.
     let is_soft = |line: &Line| line.noun.ends_with("sofa");
     let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
@@ -298,6 +299,13 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// Whether something is said to stand behind a thing.
+fn is_backed(plan: &Plan, name: &str) -> bool {
+    let of = format!(", {name})");
+    let mut stated = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
+    stated.any(|s| s.text.contains("behind(") && s.text.contains(&of))
 }
 
 /// The line of the inventory that a thing of this name stands for.

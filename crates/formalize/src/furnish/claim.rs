@@ -187,7 +187,7 @@ impl Plan<'_> {
                 "inside" => s.text.contains(&format!(", {})", self.draft.rooms[self.room].name)),
                 "around" => around,
                 "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),
-                "behind" => spread || matches!(part.at, Where::Enclose(..)),
+                "behind" => spread || matches!(part.at, Where::Enclose(..) | Where::Back(..)),
                 "leftOf" | "rightOf" => spread,
                 // "A nightstand on each side of it": one left and one right, as one looks at its front.
                 "seenLeftOf" | "seenRightOf" => matches!(part.at, Where::Sides(..)),

@@ -3,7 +3,8 @@
 
 use super::measure::measure;
 use super::token::{Token, WordKind};
-use crate::brief::{Brief, Dim, Fact, FactKind, Group, Look, Number, Rel, Thing, ThingOrigin};
+use crate::brief::{Brief, Dim, Fact, FactKind, Group, Rel, Thing, ThingOrigin};
+use crate::complete::defaults::push;
 use std::ops::Range;
 
 const PATHS: [&str; 14] = [
@@ -194,21 +195,6 @@ fn door_of(brief: &mut Brief, room: usize) -> usize {
     let own = |thing: &Thing| {
         thing.group == Group::Door && thing.part.is_none() && (thing.room == room || thing.beyond == Some(room))
     };
-    brief.things.iter().position(own).unwrap_or_else(|| {
-        brief.things.push(Thing {
-            words: vec!["door".to_owned()],
-            last: 1,
-            group: Group::Door,
-            number: Number::Unsaid,
-            of: None,
-            room,
-            beyond: None,
-            places: None,
-            look: Look::default(),
-            size: [None; 3],
-            source: ThingOrigin::Inferred("paths lead from a door".to_owned()),
-            part: None,
-        });
-        brief.things.len() - 1
-    })
+    let known = brief.things.iter().position(own);
+    known.unwrap_or_else(|| push(brief, room, "door", 1, "paths lead from a door"))
 }
