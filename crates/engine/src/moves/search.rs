@@ -359,10 +359,10 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         let at = |t: f64| line.map(|c| c * t);
         let (first, factor) = if self.dear { (0.1, 2.0) } else { (0.02, 1.5) };
         let (mut low, mut high) = (0.0, first);
-        while !self.holds(&at(high)) {
+        // Nothing is moved out of all rooms to clear a path.
+        while self.dear && !self.is_indoors(&at(high)) || !self.holds(&at(high)) {
             (low, high) = (high, high * factor);
-            // Nothing is moved out of its room to clear a path.
-            if high > FARTHEST || self.spent() || self.dear && !self.is_indoors(&at(high)) {
+            if high > FARTHEST || self.spent() {
                 return None;
             }
         }

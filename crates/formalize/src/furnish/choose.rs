@@ -273,7 +273,7 @@ impl<'a> Choice<'a> {
             return 0.0;
         }
         let standing = shape.pieces.iter().filter(|piece| piece.at.y < 0.3 && piece.size[1] > 0.3);
-        let gaps = standing.map(|piece| floor.from_swing(&Block::of(&pose.then(&piece.at), piece.size)));
+        let gaps = standing.map(|piece| floor.off_swing(&Block::of(&pose.then(&piece.at), piece.size)));
         (ELBOW_ROOM - gaps.fold(f64::INFINITY, f64::min)).max(0.0) * HARD_BY
     }
 
@@ -352,7 +352,7 @@ impl<'a> Choice<'a> {
             cost += self.to_near(pose) * 0.8;
             if self.is(&[OVER_DOOR]) {
                 // Where the door swings, and not on the next wall beside it.
-                return Some(floor.from_swing(&Block::of(pose, self.size)) + 0.1 * floor.away_from_door(pose));
+                return Some(floor.off_swing(&Block::of(pose, self.size)) + 0.1 * floor.away_from_door(pose));
             }
             if self.is(&BY_DOOR) {
                 cost += (floor.away_from_door(pose) - BESIDE_DOOR).abs().min(6.0) * 0.4;

@@ -214,7 +214,7 @@ pub fn add_windows(plan: &mut Plan) {
     let [w, h, d] = plan.draft.rooms[plan.room].size;
     let step = size[0] + BETWEEN;
     let sill = (2.2 - size[1]).clamp(0.9, 1.3).min(h - size[1] - 0.2).max(0.0);
-    let why = format!("{} has daylight", with_article(&plan.kind.name));
+    let why = format!("{} has daylight", with_article(plan.kind.name));
     let mut made: Vec<String> = Vec::new();
     for i in 0..count {
         let name = plan.name("window");

@@ -303,7 +303,7 @@ impl Floor {
     }
 
     /// How far something is from the nearest place where a door swings (metres); 0 in it.
-    pub fn from_swing(&self, block: &Block) -> f64 {
+    pub fn off_swing(&self, block: &Block) -> f64 {
         let apart = |swing: &Block| {
             let [dx, dz] = [0, 2].map(|k| (swing.low[k] - block.high[k]).max(block.low[k] - swing.high[k]).max(0.0));
             dx.hypot(dz)

@@ -54,7 +54,7 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &FurnishingKind) {
         let size = [0.86, 2.04_f64.min(h - 0.1), 0.12];
         let words: Vec<String> = name.split(' ').map(str::to_owned).collect();
         let called = crate::names::identifier(&words.join(" "), "door");
-        add(draft, at, &called, &format!("{name} door"), size, &format!("{} has one", with_article(&kind.name)));
+        add(draft, at, &called, &format!("{name} door"), size, &format!("{} has one", with_article(kind.name)));
     }
 }
 

@@ -54,7 +54,7 @@ pub(super) const TEAM: usize = 2;
 
 /// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
 pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
-    let listed = format!("{} has ", with_article(&plan.kind.name));
+    let listed = format!("{} has ", with_article(plan.kind.name));
     let with_another = |t: &DraftThing| match &t.source {
         ThingOrigin::Inferred(why) => !why.starts_with(&listed),
         _ => false,
@@ -104,7 +104,7 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         Count::Area(each) => (plan.counted / each).round() as usize,
         Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
     };
-    let why = format!("{} has {}", with_article(&plan.kind.name), if n == 1 { "one" } else { "some" });
+    let why = format!("{} has {}", with_article(plan.kind.name), if n == 1 { "one" } else { "some" });
     match &line.place {
         PlanPlace::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
         PlanPlace::Edge if line.noun.ends_with("wall") => edge::house(plan, line, &why),
