@@ -5,6 +5,8 @@ use crate::furnish::kinds;
 use scenelang_lang::library::usual_size;
 use scenelang_lang::nouns;
 
+/// The usual height of a sill (metres).
+pub const SILL: f64 = 0.9;
 /// What nothing is known of.
 const UNKNOWN: [f64; 3] = [0.5, 0.5, 0.5];
 

@@ -10,6 +10,7 @@ use crate::brief::{Brief, FactKind, Group, Look, Rel, too_many};
 use crate::draft::{Draft, DraftRoom, DraftThing, Note, Opening, OpeningKind, Surface, ThingOrigin};
 use crate::furnish::{GATE, kinds};
 use crate::names::{GivenNames, identifier};
+use crate::sizes::SILL;
 
 /// Kinds of rooms that have no ceiling.
 const OPEN_AIR: [&str; 3] = ["balcony", "terrace", "garden"];
@@ -208,7 +209,7 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
             let sill = ((top + 0.1) * 20.0).ceil() / 20.0;
             let ceiling = named.room_sizes.get(named.brief.things[*w].room).map_or(2.7, |s| s[1]);
             // Where the window begins if nothing is said.
-            if sill <= ((ceiling - named.sizes[*w][1]) / 2.0).min(0.9) {
+            if sill <= ((ceiling - named.sizes[*w][1]) / 2.0).min(SILL) {
                 continue;
             }
             for name in &named.names[*w] {

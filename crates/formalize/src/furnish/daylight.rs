@@ -9,6 +9,7 @@ use super::seek::Wall;
 use super::stand;
 use crate::draft::{Draft, Look, Opening, OpeningKind, Statement, ThingOrigin};
 use crate::names::mentions;
+use crate::sizes::SILL;
 use scenelang_lang::nouns::with_article;
 
 /// So much wall is left beside a window (metres).
@@ -21,8 +22,6 @@ const DOOR: [f64; 3] = [0.95, 2.08, 0.12];
 const WINDOWS: [[f64; 3]; 3] = [[1.4, 1.3, 0.12], [0.9, 1.2, 0.12], [0.6, 0.9, 0.12]];
 /// The height of a window whose sill is above worktops and taps.
 const OVER_WORKTOPS: f64 = 1.05;
-/// The usual height of a sill (metres).
-const SILL: f64 = 0.9;
 /// A window whose sill has that height ends this far below the ceiling at least (metres).
 const BELOW_CEILING: f64 = 0.4;
 /// No room has more windows.

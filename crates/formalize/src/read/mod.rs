@@ -129,7 +129,7 @@ pub fn brief(request: &str) -> Brief {
         for said in people::each(&mut brief, &tokens) {
             used[said] = true;
         }
-        for said in paths::say(&mut brief, &tokens) {
+        for said in paths::say(&mut brief, &tokens, &chunks) {
             used[said] = true;
         }
         if let Some(whole) = found.whole {

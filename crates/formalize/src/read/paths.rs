@@ -1,9 +1,10 @@
 //! Paths of a stated width that lead to more than one thing: "1.2 m wide paths to everything", "escape paths of 1.5 m are kept
 //! clear", "for a wheelchair user"; and "reachable by a path 0.9 m wide". Paths lead from a door.
 
+use super::chunk::{Chunk, ChunkPiece};
 use super::measure::measure;
 use super::token::{Token, WordKind};
-use crate::brief::{Brief, Dim, Fact, FactKind, Group, Rel, Thing, ThingOrigin};
+use crate::brief::{Brief, Dim, Fact, FactKind, Group, Op, Rel, Thing, ThingOrigin};
 use crate::complete::defaults::push;
 use std::ops::Range;
 
@@ -76,16 +77,20 @@ const WHEELCHAIR: f64 = 0.9;
 const IN_IT: [&str; 5] = ["in", "uses", "using", "with", "needs"];
 
 /// Adds to a brief what is said of such paths. The words that say so.
-pub fn say(brief: &mut Brief, tokens: &[Token]) -> Vec<usize> {
+pub fn say(brief: &mut Brief, tokens: &[Token], chunks: &[Chunk]) -> Vec<usize> {
     let mut used = Vec::new();
     for sentence in sentences(tokens) {
-        if let Some(said) = wheelchair(tokens, &sentence) {
+        // "Ideally", "if possible".
+        let within_sentence = |c: &&Chunk| sentence.start <= c.at.start && c.at.end <= sentence.end;
+        let softened = chunks.iter().filter(within_sentence).any(|c| c.piece == ChunkPiece::Soft);
+        let soft = softened || sentence.clone().any(|i| tokens[i].is("if") || tokens[i].is("unless"));
+        if let Some(said) = wheelchair(tokens, &sentence).filter(|_| !denies(tokens, &sentence)) {
             let at = bytes(tokens, &said);
             // Who sits in it comes with it.
             let in_it = |thing: &Thing| matches!(&thing.source, ThingOrigin::Stated(s) if at.contains(&s.start));
             let gone: Vec<usize> = (0..brief.things.len()).filter(|i| in_it(&brief.things[*i])).collect();
             brief.remove(&gone);
-            to_all(brief, WHEELCHAIR, &at);
+            to_all(brief, WHEELCHAIR, &at, soft);
             used.extend(said);
         }
         let Some((width, measured)) = width(tokens, &sentence) else { continue };
@@ -106,7 +111,7 @@ pub fn say(brief: &mut Brief, tokens: &[Token]) -> Vec<usize> {
         }
         let is_of_all = words(&ALL) || each || !brief.facts.iter().any(within) && speaks_of_nothing_else(brief, &at);
         if !reached && is_of_all {
-            to_all(brief, width, &at);
+            to_all(brief, width, &at, soft);
         }
         let is_path = |fact: &Fact| within(fact) && matches!(fact.what, FactKind::Path(w, _) if w == width);
         if brief.facts.iter().any(is_path) {
@@ -138,13 +143,28 @@ fn bytes(tokens: &[Token], of: &Range<usize>) -> Range<usize> {
 fn width(tokens: &[Token], sentence: &Range<usize>) -> Option<(f64, Range<usize>)> {
     let is_path = |i: usize| PATHS.iter().any(|path| tokens[i].is(path));
     sentence.clone().find(|i| is_path(*i))?;
-    sentence.clone().find_map(|i| {
-        let (m, n) = measure(&tokens[i..sentence.end])?;
+    let mut i = sentence.start;
+    while i < sentence.end {
+        let Some((m, n)) = measure(&tokens[i..sentence.end]) else {
+            i += 1;
+            continue;
+        };
         let is_width = m.dims.iter().all(|dim| *dim == Dim::Width) && m.values.len() == 1 && !m.area;
         let near = i.saturating_sub(4).max(sentence.start)..(i + n + 4).min(sentence.end);
         let meant = m.dims.len() == 1 || near.into_iter().any(is_path);
-        (is_width && meant && m.values[0] > 0.0).then(|| (m.values[0], i..i + n))
-    })
+        // What must not be wider, or is denied, asks for no path.
+        if is_width && meant && m.op != Op::Most && m.values[0] > 0.0 && !denies(tokens, sentence) {
+            return Some((m.values[0], i..i + n));
+        }
+        i += n.max(1);
+    }
+    None
+}
+
+/// Whether a sentence denies something.
+fn denies(tokens: &[Token], sentence: &Range<usize>) -> bool {
+    const NOT: [&str; 6] = ["no", "not", "never", "without", "nothing", "neither"];
+    sentence.clone().any(|i| NOT.iter().any(|word| tokens[i].is(word)))
 }
 
 /// Whether a sentence names no thing.
@@ -171,7 +191,7 @@ fn wheelchair(tokens: &[Token], sentence: &Range<usize>) -> Option<Range<usize>>
 }
 
 /// A path so wide leads from the door to each thing that stands on the floor.
-fn to_all(brief: &mut Brief, width: f64, at: &Range<usize>) {
+fn to_all(brief: &mut Brief, width: f64, at: &Range<usize>, soft: bool) {
     let stands = |thing: &Thing| {
         matches!(thing.group, Group::Seat | Group::Table | Group::Storage | Group::Bed | Group::Floor)
             && thing.part.is_none()
@@ -186,7 +206,8 @@ fn to_all(brief: &mut Brief, width: f64, at: &Range<usize>) {
         let room = brief.things[thing].room;
         let door = door_of(brief, room);
         let source = ThingOrigin::Stated(at.clone());
-        brief.facts.push(Fact::new(vec![thing], FactKind::Path(width, vec![door]), source));
+        let path = FactKind::Path(width, vec![door]);
+        brief.facts.push(Fact { soft, ..Fact::new(vec![thing], path, source) });
     }
 }
 

@@ -3,6 +3,7 @@
 use super::said::Said;
 use super::{LISTED, Named, indexed};
 use crate::brief::{Fact, FactKind, Group, Pattern, Place, Quantifier, Rel};
+use crate::sizes::SILL;
 use crate::write::number;
 
 /// How far "near" reaches, in metres.
@@ -13,8 +14,6 @@ pub(super) const BEFORE: f64 = 1.4;
 const BY_FIRE: f64 = 3.2;
 /// So many of several things stand along one window.
 const ABREAST: usize = 2;
-/// How high a window begins that is asked for (metres).
-const SILL: f64 = 0.9;
 /// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
 /// How far apart things are that stand across from each other, at least.
