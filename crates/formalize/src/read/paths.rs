@@ -111,6 +111,9 @@ pub fn say(brief: &mut Brief, tokens: &[Token], chunks: &[Chunk]) -> Vec<usize> 
         }
         let is_of_all = words(&ALL) || each || !brief.facts.iter().any(within) && speaks_of_nothing_else(brief, &at);
         if !reached && is_of_all {
+            // It is no distance among what the sentence names besides.
+            let is_apart = |fact: &Fact| matches!(fact.what, FactKind::Among(_, w) if w == width);
+            brief.facts.retain(|fact| !(within(fact) && is_apart(fact)));
             to_all(brief, width, &at, soft);
         }
         let is_path = |fact: &Fact| within(fact) && matches!(fact.what, FactKind::Path(w, _) if w == width);
