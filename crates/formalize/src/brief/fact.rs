@@ -145,6 +145,8 @@ pub enum Rel {
     BackTo,
     /// At the wall at which the other is.
     SameWall,
+    /// Between it and a wall.
+    WallBeyond,
     From,
     Of,
     To,
@@ -175,8 +177,8 @@ pub enum Place {
 pub enum Pattern {
     /// In one line.
     Row,
-    /// In so many lines.
-    Rows(usize),
+    /// In so many lines; `None`: in several, nobody says how many.
+    Rows(Option<usize>),
     Circle,
     /// Beside each other.
     SideBySide,

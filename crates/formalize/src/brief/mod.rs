@@ -178,7 +178,7 @@ impl Brief {
     /// The indices of some of a thing.
     pub fn elements(&self, part: &Subset) -> Vec<usize> {
         let rows = self.facts.iter().find_map(|f| match f.what {
-            FactKind::Pattern(Pattern::Rows(n)) if f.of.contains(&part.of) => Some(n),
+            FactKind::Pattern(Pattern::Rows(n)) if f.of.contains(&part.of) => n,
             _ => None,
         });
         part.pick.indices(self.count(part.of), rows.unwrap_or(1))

@@ -28,11 +28,13 @@ const RACKS: (f64, f64) = (0.02, 2.4);
 pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
     let n = brief.count(a);
     let rows = brief.facts.iter().find_map(|f| match f.what {
-        FactKind::Pattern(Pattern::Rows(r)) if f.of == [a] => Some(r),
+        FactKind::Pattern(Pattern::Rows(rows)) if f.of == [a] => Some(rows.unwrap_or_else(|| spread(n))),
         FactKind::Pattern(Pattern::Row) if f.of == [a] => Some(1),
         _ => None,
     });
     let said = rows.is_some();
+    // "In rows": the last may be shorter.
+    let exact = said && !brief.facts.iter().any(|f| f.what == FactKind::Pattern(Pattern::Rows(None)) && f.of == [a]);
     let middle = middle(brief, sizes, a);
     let seats = brief.facts.iter().any(|f| {
         matches!(&f.what, FactKind::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
@@ -70,7 +72,7 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             }
     });
     let hung = matches!(brief.things[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
-    if elsewhere || hung || n < 2 || said && !n.is_multiple_of(rows) || brief.things[a].opening() {
+    if elsewhere || hung || n < 2 || exact && !n.is_multiple_of(rows) || brief.things[a].opening() {
         return None;
     }
     // A row to the left or right of something runs past it.

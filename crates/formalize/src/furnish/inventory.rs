@@ -102,6 +102,10 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         Count::Fixed(n) if line.noun == "bookshelf" && has_books(plan) => n.max(BOOKCASES),
         Count::Fixed(n) => n,
         Count::Area(each) => (plan.counted / each).round() as usize,
+        // Where it is said for how many people, no places are to spare.
+        Count::People(each) if each > 1.0 && seats && plan.people.is_some() => {
+            plan.tables(line).unwrap_or((people / each.max(2.0)).ceil() as usize)
+        }
         Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
     };
     let why = format!("{} has {}", with_article(plan.kind.name), if n == 1 { "one" } else { "some" });

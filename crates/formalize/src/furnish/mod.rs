@@ -249,7 +249,7 @@ fn stools_at_counter(brief: &mut Brief) {
 /// In how many rows things stand of which nobody says how many there are: "six rows of racks".
 fn rows(brief: &Brief, at: usize) -> Option<usize> {
     let of = |fact: &Fact| match fact.what {
-        FactKind::Pattern(Pattern::Rows(rows)) if fact.of == [at] => Some(rows),
+        FactKind::Pattern(Pattern::Rows(rows)) if fact.of == [at] => rows,
         _ => None,
     };
     let plural = |_: &usize| brief.things[at].number == Number::Plural;

@@ -83,7 +83,7 @@ fn fixed_phrases() -> &'static Phrases<ChunkPiece> {
         Some(match key {
             "sideBySide" => ChunkPiece::Pattern(Pattern::SideBySide),
             "row" => ChunkPiece::Pattern(Pattern::Row),
-            "rows" => ChunkPiece::Pattern(Pattern::Rows(usize::MAX)),
+            "rows" => ChunkPiece::Pattern(Pattern::Rows(Some(usize::MAX))),
             "circle" => ChunkPiece::Pattern(Pattern::Circle),
             "backToBack" => ChunkPiece::Pattern(Pattern::BackToBack),
             "faceToFace" => ChunkPiece::Pattern(Pattern::FaceToFace),
@@ -277,7 +277,7 @@ fn rows(rest: &[Token]) -> Option<(Pattern, usize)> {
     }
     let end = 1 + used + skip + 1;
     let of = rest.get(end).filter(|t| t.is("of")).and_then(|_| super::number::count(&rest[end + 1..]));
-    let pattern = if n as usize == 1 { Pattern::Row } else { Pattern::Rows((n as usize).min(50)) };
+    let pattern = if n as usize == 1 { Pattern::Row } else { Pattern::Rows(Some((n as usize).min(50))) };
     Some((pattern, end + of.map_or(0, |(_, k)| k + 1)))
 }
 

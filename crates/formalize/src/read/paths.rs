@@ -29,7 +29,10 @@ const ALL: [&str; 2] = ["everything", "everywhere"];
 const EACH: [&str; 3] = ["all", "every", "each"];
 const THINGS: [&str; 9] = ["furniture", "object", "objects", "item", "items", "thing", "things", "piece", "pieces"];
 /// Other words of such a sentence, which say no more than that.
-const BESIDE: [&str; 41] = [
+const BESIDE: [&str; 44] = [
+    "narrower",
+    "less",
+    "than",
     "keep",
     "keeps",
     "kept",
@@ -119,9 +122,19 @@ pub fn say(brief: &mut Brief, tokens: &[Token], chunks: &[Chunk]) -> Vec<usize> 
         let is_path = |fact: &Fact| within(fact) && matches!(fact.what, FactKind::Path(w, _) if w == width);
         if brief.facts.iter().any(is_path) {
             let all = [PATHS.as_slice(), &ALL, &EACH, &THINGS, &BESIDE].concat();
-            used.extend(
-                sentence.clone().filter(|i| measured.contains(i) || all.iter().any(|word| tokens[*i].is(word))),
-            );
+            let said: Vec<usize> = sentence
+                .clone()
+                .filter(|i| measured.contains(i) || all.iter().any(|word| tokens[*i].is(word)))
+                .collect();
+            // "Narrower than" is translated after all.
+            let is_said = |i: usize| said.contains(&i);
+            let inside = |at: &Range<usize>| {
+                let mut words =
+                    sentence.clone().filter(|i| at.start <= tokens[*i].at.start && tokens[*i].at.end <= at.end);
+                words.all(is_said)
+            };
+            brief.notes.retain(|note| !(at.start <= note.at.start && note.at.end <= at.end && inside(&note.at)));
+            used.extend(said);
         }
     }
     used
@@ -153,10 +166,11 @@ fn width(tokens: &[Token], sentence: &Range<usize>) -> Option<(f64, Range<usize>
             continue;
         };
         let is_width = m.dims.iter().all(|dim| *dim == Dim::Width) && m.values.len() == 1 && !m.area;
-        let near = i.saturating_sub(4).max(sentence.start)..(i + n + 4).min(sentence.end);
+        let near = i.saturating_sub(6).max(sentence.start)..(i + n + 4).min(sentence.end);
         let meant = m.dims.len() == 1 || near.into_iter().any(is_path);
         // What must not be wider, or is denied, asks for no path.
-        if is_width && meant && m.op != Op::Most && m.values[0] > 0.0 && !denies(tokens, sentence) {
+        let asked = if denies(tokens, sentence) { narrower(tokens, sentence) } else { m.op != Op::Most };
+        if is_width && meant && asked && m.values[0] > 0.0 {
             return Some((m.values[0], i..i + n));
         }
         i += n.max(1);
@@ -168,6 +182,12 @@ fn width(tokens: &[Token], sentence: &Range<usize>) -> Option<(f64, Range<usize>
 fn denies(tokens: &[Token], sentence: &Range<usize>) -> bool {
     const NOT: [&str; 6] = ["no", "not", "never", "without", "nothing", "neither"];
     sentence.clone().any(|i| NOT.iter().any(|word| tokens[i].is(word)))
+}
+
+/// "No path may be narrower than 1.2 m", "nowhere less than 0.9 m wide".
+fn narrower(tokens: &[Token], sentence: &Range<usize>) -> bool {
+    const LESS: [&str; 4] = ["narrower", "less", "under", "below"];
+    sentence.clone().any(|i| LESS.iter().any(|word| tokens[i].is(word)))
 }
 
 /// Whether a sentence names no thing.

@@ -74,6 +74,16 @@ impl Named<'_> {
             // What stands on the floor and is tall is above nothing: it is by it on the plan.
             Rel::Above if self.tall(a) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::SameWall => self.at_wall_of(&said, out),
+            // The mirror image of the other in it is outside the room.
+            Rel::WallBeyond => {
+                let (room, near) = (self.room(a), number(NEAR));
+                out.push(format!(
+                    "{verb} {};",
+                    pairs(&|x, y| format!(
+                        "near({x}, {y}, {near}) and gap({x}.center + {x}.center - {y}.center, {room}) <= 0"
+                    ))
+                ));
+            }
             Rel::BackTo => out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})")))),
             Rel::Beside | Rel::Sides => self.beside_rel(&said, out),
             Rel::InFrontOf | Rel::Behind => self.in_front_rel(&said, out),

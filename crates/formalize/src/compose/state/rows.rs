@@ -88,7 +88,7 @@ impl Named<'_> {
             Pattern::Row | Pattern::LeftToRight => {
                 format!("forall i in 1..{n}: aligned({of}[i], {of}[0]) and parallel({of}[i], {of}[0])")
             }
-            Pattern::Rows(rows) if rows > 1 && n.is_multiple_of(rows) && n > rows => {
+            Pattern::Rows(Some(rows)) if rows > 1 && n.is_multiple_of(rows) && n > rows => {
                 let k = n / rows;
                 format!(
                     "forall r in 0..{rows}: forall i in 1..{k}: aligned({of}[{k} * r + i], {of}[{k} * r]) and parallel({of}[{k} * r + i], {of}[{k} * r])"

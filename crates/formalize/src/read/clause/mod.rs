@@ -514,7 +514,7 @@ impl<'a> Reader<'a> {
             _ => of,
         };
         // "chairs in four rows of five": twenty of them.
-        if let (Pattern::Rows(rows), [item]) = (pattern, of.as_slice()) {
+        if let (Pattern::Rows(Some(rows)), [item]) = (pattern, of.as_slice()) {
             let words = &self.tokens[chunks[i].at.clone()];
             let each = words.iter().position(|t| t.is("of")).and_then(|k| crate::read::number::count(&words[k + 1..]));
             let item = &mut self.brief.things[*item];

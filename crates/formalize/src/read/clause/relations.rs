@@ -87,6 +87,13 @@ impl Reader<'_> {
             (i..next + 2).for_each(|k| self.mark(k));
             return next + 2;
         }
+        let walled = rel == Rel::Between && !negative && matches!(object, Lead::Items(..)) && self.wall_next(next, end);
+        let (rel, next) = if walled {
+            (next..next + 2).for_each(|k| self.mark(k));
+            (Rel::WallBeyond, next + 2)
+        } else {
+            (rel, next)
+        };
         let said = Said { i, next, end, rel, of, negative, before_subject };
         match object {
             Lead::Items(items, each) => self.relate_items(said, items, each),
@@ -206,6 +213,9 @@ impl Reader<'_> {
         let named = chunks[i + 1..next].iter().flat_map(|c| &self.tokens[c.at.clone()]);
         if place == Place::Wall && named.clone().any(|t| t.is("one") || t.is("single")) {
             which.push("one".to_owned());
+        }
+        if place == Place::Row && named.clone().any(|t| t.is("rows")) {
+            which.push("several".to_owned());
         }
         self.mark(i);
         if let Some(m) = self.s.pending.take() {
@@ -748,6 +758,7 @@ impl Reader<'_> {
             }
         }
         match place {
+            Place::Row if which.iter().any(|w| w == "several") => self.say(of, FactKind::Pattern(Pattern::Rows(None))),
             Place::Row => self.say(of, FactKind::Pattern(Pattern::Row)),
             Place::Circle => self.say(of, FactKind::Pattern(Pattern::Circle)),
             Place::Side | Place::End | Place::Head | Place::Foot if which.iter().any(|w| w == "each") => {

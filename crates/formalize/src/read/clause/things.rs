@@ -88,7 +88,7 @@ impl Reader<'_> {
         // "Desks, five rows"
         if let (Place::Row, Some(rows), false) = (place, np.count.filter(|n| *n > 1), self.near.is_empty()) {
             let of = self.near.clone();
-            self.say(&of, FactKind::Pattern(Pattern::Rows(rows)));
+            self.say(&of, FactKind::Pattern(Pattern::Rows(Some(rows))));
             self.mark(i);
             return i + 1;
         }
@@ -567,7 +567,7 @@ impl Reader<'_> {
             self.say(&[id], FactKind::Pattern(Pattern::Row));
         }
         if let Some(rows) = np.rows {
-            self.say(&[id], FactKind::Pattern(Pattern::Rows(rows)));
+            self.say(&[id], FactKind::Pattern(Pattern::Rows(Some(rows))));
         }
         if np.look.features.iter().any(|f| f == "matching") {
             self.match_looks(id);
