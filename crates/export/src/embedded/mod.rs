@@ -107,7 +107,8 @@ pub fn read(name: &str, path: &Path, carrier: Carrier, loader: &dyn Loader) -> R
 }
 
 fn nothing(message: String) -> Box<Diagnostic> {
-    let note = "`scenelang synth` embeds program and layout in what it writes; other programs may remove them";
+    let note = "`scenelang synth` embeds the program and the layout in the files it writes; \
+                other programs may remove them";
     Box::new(Diagnostic::without_place(codes::E0008, message).note(note))
 }
 

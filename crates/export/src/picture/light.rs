@@ -36,18 +36,17 @@ pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2], threads: usiz
     let sun = Sun::new(stage, view, threads);
     let clear = far_first(clear, &lens);
     let width = lens.size[0];
+    let seen = Seen { stage, lens: &lens, opaque: &opaque, buffer: &buffer, corners: &corners, sun: &sun };
     let developed = bands(size[1], threads, |rows| {
         let fine = rows.start * FINE..rows.end * FINE;
-        let mut light: Vec<[f32; 3]> = (fine.start * width..fine.end * width)
-            .map(|at| {
-                let [x, y] = [at % width, at / width];
-                let Some(triangle) = opaque.get(buffer.shown[at] as usize) else {
-                    return backdrop(stage, &lens, x, y);
-                };
-                let spot = Spot::at(&lens, [x, y], buffer.depth[at], buffer.normal[at]);
-                shade(&Matter::of(stage, triangle, &spot, &lens), &spot, lens.eye, &sun, corners.at(x, y))
-            })
-            .collect();
+        let mut light = vec![[0.0; 3]; fine.len() * width];
+        for y in rows.clone() {
+            for x in 0..size[0] {
+                for (at, sample) in seen.pixel(x, y) {
+                    light[at - fine.start * width] = sample;
+                }
+            }
+        }
         for triangle in &clear {
             glaze(stage, &lens, &buffer, &sun, triangle, &fine, &mut light);
         }
@@ -56,11 +55,50 @@ pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2], threads: usiz
     developed.concat()
 }
 
+/// What is opaque as the eye sees it, and all that its light depends on.
+struct Seen<'a> {
+    stage: &'a Stage,
+    lens: &'a Lens,
+    opaque: &'a [&'a Triangle],
+    buffer: &'a Buffer,
+    corners: &'a Occlusion,
+    sun: &'a Sun,
+}
+
+impl Seen<'_> {
+    /// The light of the samples of a pixel. Where all of them show the same triangle, it is that of their middle.
+    fn pixel(&self, x: usize, y: usize) -> [(usize, [f32; 3]); FINE * FINE] {
+        let Self { lens, buffer, .. } = self;
+        let places: [[usize; 2]; FINE * FINE] = from_fn(|k| [x * FINE + k % FINE, y * FINE + k / FINE]);
+        let at = places.map(|[x, y]| y * lens.size[0] + x);
+        let open = self.corners.at(x * FINE, y * FINE);
+        if at.iter().all(|i| buffer.shown[*i] == buffer.shown[at[0]]) {
+            let share = 1.0 / at.len() as f32;
+            let depth = at.iter().map(|i| buffer.depth[*i]).sum::<f32>() * share;
+            let normal = unit(from_fn(|k| at.iter().map(|i| buffer.normal[*i][k]).sum::<f32>()));
+            let middle = [x, y].map(|v| (v * FINE) as f32 + FINE as f32 / 2.0);
+            let light = self.light(middle, depth, normal, buffer.shown[at[0]], (open, FINE as f32));
+            return at.map(|i| (i, light));
+        }
+        from_fn(|k| {
+            let (i, middle) = (at[k], places[k].map(|v| v as f32 + 0.5));
+            (i, self.light(middle, buffer.depth[i], buffer.normal[i], buffer.shown[i], (open, 1.0)))
+        })
+    }
+
+    /// The light of a place on the sheet, so many samples wide, that shows a triangle or nothing.
+    fn light(&self, middle: [f32; 2], depth: f32, normal: [f32; 3], shown: u32, (open, wide): (f32, f32)) -> [f32; 3] {
+        let Some(triangle) = self.opaque.get(shown as usize) else { return backdrop(self.stage, self.lens, middle) };
+        let spot = Spot::at(self.lens, middle, depth, normal, wide);
+        shade(&Matter::of(self.stage, triangle, &spot, self.lens), &spot, self.lens.eye, self.sun, open)
+    }
+}
+
 /// A pale sheet that darkens where the building stands on it.
-fn backdrop(stage: &Stage, lens: &Lens, x: usize, y: usize) -> [f32; 3] {
-    let t = y as f32 / lens.size[1] as f32;
+fn backdrop(stage: &Stage, lens: &Lens, at: [f32; 2]) -> [f32; 3] {
+    let t = at[1] / lens.size[1] as f32;
     let sheet: [f32; 3] = from_fn(|i| BACKDROP[0][i] + (BACKDROP[1][i] - BACKDROP[0][i]) * t);
-    let way = sub(lens.world([x as f32 + 0.5, y as f32 + 0.5], 1.0), lens.eye);
+    let way = sub(lens.world(at, 1.0), lens.eye);
     if way[1] >= -1e-3 {
         return sheet;
     }
@@ -136,18 +174,21 @@ impl Sun {
         let off = 0.006 + 0.02 * slant;
         let eye = self.lens.seen(from_fn(|i| place[i] + normal[i] * off));
         let [x, y] = self.lens.pixel(eye);
-        let mut open = 0.0;
-        let mut all = 0.0;
-        for dy in -SOFT..=SOFT {
-            for dx in -SOFT..=SOFT {
-                let (u, v) = (x + dx as f32 * 2.0, y + dy as f32 * 2.0);
-                let inside = u >= 0.0 && v >= 0.0 && u < SHADOW as f32 && v < SHADOW as f32;
-                let blocked = inside && self.depths[v as usize * SHADOW + u as usize] < eye[2] - 0.004;
-                all += 1.0;
-                open += if blocked { 0.0 } else { 1.0 };
+        let open = |dx: i32, dy: i32| {
+            let (u, v) = (x + dx as f32 * 2.0, y + dy as f32 * 2.0);
+            let inside = u >= 0.0 && v >= 0.0 && u < SHADOW as f32 && v < SHADOW as f32;
+            !(inside && self.depths[v as usize * SHADOW + u as usize] < eye[2] - 0.004)
+        };
+        // Nearly all places are in full light or in full shadow, as the middle and the rim of the edge tell.
+        let rim = (0..3).flat_map(|i| (0..3).map(move |k| ((i - 1) * SOFT, (k - 1) * SOFT)));
+        match rim.filter(|(dx, dy)| open(*dx, *dy)).count() {
+            0 => 0.0,
+            9 => 1.0,
+            _ => {
+                let all = || (-SOFT..=SOFT).flat_map(|dy| (-SOFT..=SOFT).map(move |dx| (dx, dy)));
+                all().filter(|(dx, dy)| open(*dx, *dy)).count() as f32 / all().count() as f32
             }
         }
-        open / all
     }
 }
 
@@ -155,14 +196,14 @@ impl Sun {
 struct Spot {
     place: [f32; 3],
     normal: [f32; 3],
-    /// How large a pixel is there, metres.
+    /// How large it is, metres.
     size: f32,
 }
 
 impl Spot {
-    fn at(lens: &Lens, [x, y]: [usize; 2], depth: f32, normal: [f32; 3]) -> Self {
-        let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], depth);
-        Self { place, normal, size: depth / lens.focal }
+    /// What is so many samples wide at a place on the sheet.
+    fn at(lens: &Lens, middle: [f32; 2], depth: f32, normal: [f32; 3], wide: f32) -> Self {
+        Self { place: lens.world(middle, depth), normal, size: wide * depth / lens.focal }
     }
 }
 
@@ -221,6 +262,32 @@ fn shade(matter: &Matter, spot: &Spot, eye: [f32; 3], sun: &Sun, open: f32) -> [
     })
 }
 
+/// Points about a place at which it is looked whether something hides the sky.
+const SAMPLES: usize = 14;
+/// The points of a pixel are turned against those of its neighbours, over so many pixels in each direction.
+const TURNS: usize = 4;
+
+/// A unit vector over the ground, and how far away along it (metres).
+#[derive(Clone, Copy)]
+struct Probe {
+    way: [f32; 3],
+    far: f32,
+}
+
+/// Points on a spiral over the hemisphere, nearer ones more often; by pixel.
+fn ways() -> [[Probe; SAMPLES]; TURNS * TURNS] {
+    from_fn(|turn| {
+        from_fn(|i| {
+            let t = (i as f32 + 0.5) / SAMPLES as f32;
+            let rise = 1.0 - t;
+            let flat = (1.0 - rise * rise).sqrt();
+            let (s, c) = (i as f32 * 2.399_963 + turn as f32 * 0.39).sin_cos();
+            let far = REACH * (0.12 + 0.88 * ((i * 5) % SAMPLES) as f32 / SAMPLES as f32);
+            Probe { way: [c * flat, rise, s * flat], far }
+        })
+    })
+}
+
 /// How open to the sky each pixel's surroundings are: looked up in the depths around it, at half the fineness.
 struct Occlusion {
     size: [usize; 2],
@@ -234,8 +301,12 @@ impl Occlusion {
             let band = |rows: Range<usize>| (rows.start * size[0]..rows.end * size[0]).map(value).collect::<Vec<_>>();
             bands(size[1], threads, band).concat()
         };
-        let raw = each(&|at| Self::sample(buffer, lens, [at % size[0] * FINE, at / size[0] * FINE]));
-        // The samples of a pixel are turned against those of its neighbours; the mean over 4 × 4 has them all.
+        let ways = ways();
+        let raw = each(&|at| {
+            let (x, y) = (at % size[0], at / size[0]);
+            Self::sample(buffer, lens, [x * FINE, y * FINE], &ways[x % TURNS * TURNS + y % TURNS])
+        });
+        // The mean over 4 × 4 pixels has all turns.
         let depth = |x: usize, y: usize| buffer.depth[y * FINE * lens.size[0] + x * FINE];
         let open = each(&|at| {
             let (x, y) = (at % size[0], at / size[0]);
@@ -254,29 +325,19 @@ impl Occlusion {
         Self { size, open }
     }
 
-    fn sample(buffer: &Buffer, lens: &Lens, [x, y]: [usize; 2]) -> f32 {
-        const SAMPLES: usize = 14;
+    fn sample(buffer: &Buffer, lens: &Lens, [x, y]: [usize; 2], ways: &[Probe; SAMPLES]) -> f32 {
         let at = y * lens.size[0] + x;
         if buffer.shown[at] == NOTHING {
             return 1.0;
         }
         let normal = buffer.normal[at];
         let place = lens.world([x as f32 + 0.5, y as f32 + 0.5], buffer.depth[at]);
-        let turn = ((x / FINE % 4) * 4 + y / FINE % 4) as f32 * 0.39;
         let mut hidden = 0.0;
-        for i in 0..SAMPLES {
-            // Points on a spiral over the hemisphere, nearer ones more often.
-            let t = (i as f32 + 0.5) / SAMPLES as f32;
-            let angle = i as f32 * 2.399_963 + turn;
-            let rise = 1.0 - t;
-            let flat = (1.0 - rise * rise).sqrt();
-            let (s, c) = angle.sin_cos();
-            let mut d = [c * flat, rise, s * flat];
+        for &Probe { way: mut d, far } in ways {
             let along = dot(d, normal);
             if along < 0.0 {
                 d = from_fn(|k| d[k] - 2.0 * along * normal[k]);
             }
-            let far = REACH * (0.12 + 0.88 * ((i * 5) % SAMPLES) as f32 / SAMPLES as f32);
             let probe: [f32; 3] = from_fn(|k| place[k] + normal[k] * 0.01 + d[k] * far);
             let eye = lens.seen(probe);
             let [px, py] = lens.pixel(eye);
@@ -320,7 +381,8 @@ fn glaze(
     cover(lens, rows, triangle, |hit| {
         if hit.depth < buffer.depth[hit.at] {
             let normal = blend(triangle.normals, hit.weights);
-            let spot = Spot::at(lens, [hit.at % width, hit.at / width], hit.depth, normal);
+            let middle = [hit.at % width, hit.at / width].map(|v| v as f32 + 0.5);
+            let spot = Spot::at(lens, middle, hit.depth, normal, 1.0);
             let own = shade(&Matter::of(stage, triangle, &spot, lens), &spot, lens.eye, sun, 1.0);
             let light = &mut light[hit.at - rows.start * width];
             *light = from_fn(|i| light[i] + (own[i] - light[i]) * look.opacity);

@@ -77,8 +77,20 @@ pub(super) fn cover(lens: &Lens, rows: &Range<usize>, triangle: &Triangle, mut h
     // Perspective keeps 1/z, not z, linear on the sheet.
     let inverse = if lens.focal > 0.0 { eye.map(|p| 1.0 / p[2]) } else { [1.0; 3] };
     let (across, down) = (span(0), span(1));
+    // Where an edge crosses the middle of a row: what lies more than a pixel beyond it is not looked at.
+    let crossing = |s: [f32; 2], t: [f32; 2], y: f32| s[0] + (t[0] - s[0]) * (y - s[1]) / (t[1] - s[1]);
     for y in down.start.max(rows.start)..down.end.min(rows.end) {
-        for x in across.clone() {
+        let (mut from, mut to) = (across.start, across.end);
+        for (s, t) in [(a, b), (b, c), (c, a)] {
+            let at = crossing(s, t, y as f32 + 0.5);
+            // With y down and corners clockwise, the inside is to the right of an edge that rises.
+            if t[1] < s[1] {
+                from = from.max((at - 1.5).max(0.0) as usize);
+            } else if t[1] > s[1] {
+                to = to.min((at + 2.5).max(0.0) as usize);
+            }
+        }
+        for x in from..to {
             let p = [x as f32 + 0.5, y as f32 + 0.5];
             let edge = |s: [f32; 2], t: [f32; 2]| (t[0] - s[0]) * (p[1] - s[1]) - (t[1] - s[1]) * (p[0] - s[0]);
             let flat = [edge(b, c), edge(c, a), edge(a, b)];
