@@ -63,8 +63,9 @@ impl Compared {
                 Shown::Turn(most) => format!("{}°", rounded((turn(n, limit, most) * 10.0).round() / 10.0)),
             }
         };
-        // The larger a cosine, the smaller the angle.
-        let op = if matches!(shown, Shown::Turn(_)) { mirrored(self.op) } else { self.op };
+        // The larger a cosine, the smaller the angle; and what is at least -0.4 m in front is at most 0.4 m behind.
+        let is_mirrored = matches!(shown, Shown::Turn(_)) || choice.is_some() && limit < 0.0;
+        let op = if is_mirrored { mirrored(self.op) } else { self.op };
         let side = |texts: &[String; 2], n: f64| texts[usize::from(n < 0.0)].clone();
         let mut out = String::new();
         for piece in pieces {
@@ -76,14 +77,16 @@ impl Compared {
             };
         }
         let must = if self.holds { "" } else { "but must be " };
-        let whither = choice.map_or_else(String::new, |texts| format!(" {}", side(texts, limit)));
+        // "beyond the front" is followed by what it is beyond, "to the right" is not.
+        let it = if matches!(pieces.last(), Some(TemplatePiece::Choice(_))) { "" } else { " it" };
+        let whither = choice.map_or_else(String::new, |texts| format!(" {}{it}", side(texts, limit)));
         match (choice, op) {
-            // "at least 0 m beyond" says no more than "beyond".
+            // "at least 0 m beyond it" says no more than "beyond it".
             (Some([beyond, _]), Comparison::Ge | Comparison::Gt) if limit == 0.0 && !self.holds => {
-                format!("{out}, but must be {beyond}")
+                format!("{out}, but must be {beyond}{it}")
             }
             (Some([beyond, _]), Comparison::Le | Comparison::Lt) if limit == 0.0 && !self.holds => {
-                format!("{out}, but must not be {beyond}")
+                format!("{out}, but must not be {beyond}{it}")
             }
             _ => format!("{out}, {must}{} {}{whither}", relation(op), quantity(limit)),
         }
@@ -96,7 +99,7 @@ fn turn(value: f64, limit: f64, most: f64) -> f64 {
     cosine.clamp(-1.0, 1.0).acos().to_degrees()
 }
 
-/// The same comparison of two angles as of their cosines.
+/// The same comparison of what grows as the other falls, such as angles and their cosines.
 fn mirrored(op: Comparison) -> Comparison {
     match op {
         Comparison::Lt => Comparison::Gt,

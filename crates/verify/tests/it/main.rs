@@ -12,4 +12,5 @@ mod navigation;
 mod proofs;
 mod reports;
 mod schemas;
+mod sentences;
 mod spec;
