@@ -95,3 +95,19 @@ fn the_diagnosis_keeps_to_its_budget_and_ends_when_asked() {
     assert_eq!(late.end, End::Time);
     assert!(late.layout.objects.iter().all(|(_, p)| p.pos.iter().all(|c| c.abs() < 100.0)), "{:?}", late.layout);
 }
+
+/// Thirty-nine desks in a hall that has place for seven in each of five rows with their aisles.
+#[test]
+fn forty_objects_that_cannot_be_placed_end_within_the_budget_and_name_what_to_look_at() {
+    let text = "region hall; hall.pos <- vec3(0, 0, 0); hall.scale <- vec3(9, 3, 6); hall.rot <- rot(0, 0, 0);
+        object door; door.dimensions <- vec3(0.9, 2, 0.06); assert connects(door, hall);
+        object desk[39]; desk.dimensions <- vec3(1.2, 0.75, 0.7);
+        assert forall d in desk: onFloor(d, hall) and clear(d, front, 0.9);
+        assert forall d in desk: reachable(door, d, 0.8);";
+    const BUDGET: u64 = 6_000_000;
+    let outcome = run(text, &Options { budget: BUDGET, ..Options::default() });
+    assert!(!outcome.converged && outcome.end != End::Solved);
+    // What is in the way is looked for afterwards, with a quarter of it.
+    assert!(outcome.work <= BUDGET * 13 / 10, "{}", outcome.work);
+    assert!(!outcome.in_the_way.is_empty() || !outcome.unsatisfied.is_empty(), "{outcome:?}");
+}
