@@ -1,7 +1,7 @@
 //! Commands to look things up and to start: `explain`, `schema`, `new`.
 
 use crate::args::{Explain, New, Schema};
-use crate::{FAILED, GOOD, input, manual, out, plain, words};
+use crate::{FAILED, GOOD, drawings, input, manual, out, plain, words};
 use scenelang_base::door::Door;
 use scenelang_base::fs::is_stream;
 use scenelang_base::{Code, codes, suggest};
@@ -15,7 +15,7 @@ pub fn explain(args: &Explain) -> u8 {
     let each = || args.words.iter().map(|word| explained(word)).collect::<Option<Vec<String>>>();
     if let Some(found) = explained(&whole).or_else(|| Some(each()?.join("\n"))) {
         out::show(&found);
-        return GOOD;
+        return draw(args);
     }
     let word = args.words.iter().find(|word| args.words.len() > 1 && explained(word).is_none()).unwrap_or(&whole);
     let is_category = |word: &str| library::is_category(&word.to_lowercase().replace(' ', "_"));
@@ -37,6 +37,23 @@ pub fn explain(args: &Explain) -> u8 {
         None => eprintln!("  codes look like E0201, W0302 or V0101"),
     }
     FAILED
+}
+
+/// Writes the drawings of words that have one.
+fn draw(args: &Explain) -> u8 {
+    let Some(folder) = &args.drawings else { return GOOD };
+    let drawings: Vec<_> = args.words.iter().flat_map(|word| words::drawings_of(word)).collect();
+    if drawings.is_empty() {
+        eprintln!("error: there is no drawing of `{}`; predicates and some functions have one", args.words.join(" "));
+        return FAILED;
+    }
+    match drawings::write(&drawings, folder, args.force) {
+        Ok(()) => GOOD,
+        Err(message) => {
+            eprintln!("error: {message}");
+            FAILED
+        }
+    }
 }
 
 /// What is known of a code or a word.

@@ -10,6 +10,7 @@ mod bench;
 mod check;
 mod consent;
 mod diff;
+mod drawings;
 mod edited;
 mod eval;
 mod export;

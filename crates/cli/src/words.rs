@@ -1,6 +1,7 @@
 //! What words of the language and settings mean (`explain near`), and which categories are known (`categories`).
 
 use crate::args::{Categories, Plain};
+use crate::drawings::{self, Drawing};
 use crate::progress::Progress;
 use crate::replace::{self, May};
 use crate::{FAILED, GOOD, manual};
@@ -148,22 +149,35 @@ pub fn setting(word: &str) -> Option<String> {
     (!out.is_empty()).then(|| format!("{out}\n"))
 }
 
-/// The section of a chapter about a word, without drawings.
-fn section(chapter: &str, word: &str) -> Option<String> {
-    let own = |line: &str| {
+/// The lines of the section of a chapter about a word.
+fn lines_about<'a>(chapter: &'a str, word: &str) -> impl Iterator<Item = &'a str> {
+    let is_own = move |line: &str| {
         let head = line.strip_prefix("## ").unwrap_or_default().trim_matches('`');
         head.split('(').next() == Some(word)
     };
-    let mut lines = chapter.lines().skip_while(|line| !own(line));
-    let mut out = format!("{}\n", lines.next()?);
-    for line in lines.take_while(|line| !line.starts_with("## ")) {
-        // What was left out leaves one empty line.
-        if !(line.starts_with("![") || line.is_empty() && out.ends_with("\n\n")) {
-            out.push_str(line);
-            out.push('\n');
+    let mut lines = chapter.lines().skip_while(move |line| !is_own(line));
+    let head = lines.next();
+    head.into_iter().chain(lines.take_while(|line| !line.starts_with("## ")))
+}
+
+/// The section of a chapter about a word, with what its drawings show in place of them.
+fn section(chapter: &str, word: &str) -> Option<String> {
+    let mut out = String::new();
+    for line in lines_about(chapter, word) {
+        match drawings::of_line(line) {
+            Some((shows, _)) => {
+                let _ = writeln!(out, "Drawing: {shows}.");
+            }
+            None => out.extend([line, "\n"]),
         }
     }
-    Some(format!("{}\n", out.trim_end()))
+    (!out.is_empty()).then(|| format!("{}\n", out.trim_end()))
+}
+
+/// The drawings in the section about a word.
+pub fn drawings_of(word: &str) -> Vec<&'static Drawing> {
+    let sections = CHAPTERS.iter().flat_map(|chapter| lines_about(chapter, word));
+    sections.filter_map(drawings::of_line).map(|(_, drawing)| drawing).collect()
 }
 
 /// Lists the categories that are known, or those with a word in them.
@@ -236,6 +250,7 @@ fn stands(name: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeSet;
 
     #[test]
     fn every_keyword_is_explained_and_suggested() {
@@ -257,8 +272,20 @@ mod tests {
             near.contains("gap(a, b) <= d") && near.contains("margin 0.15 m") && near.contains("```json"),
             "{near}"
         );
+        assert!(near.contains("Drawing: lamp is 25 cm from sofa"), "{near}");
         assert!(meaning("margin").is_some() && meaning("<-").is_some());
         assert_eq!((meaning("nearr"), nearest("nearr")), (None, Some("near")));
+    }
+
+    #[test]
+    fn every_drawing_of_the_chapters_is_embedded_and_no_other() {
+        let lines = CHAPTERS.iter().flat_map(|chapter| chapter.lines()).filter(|line| line.starts_with("!["));
+        let drawn: BTreeSet<&str> = lines.map(|line| drawings::of_line(line).expect(line).1.name).collect();
+        let embedded: BTreeSet<&str> = drawings::all().collect();
+        assert_eq!(drawn, embedded);
+        for word in library::names() {
+            assert!(!drawings_of(word).is_empty(), "{word}");
+        }
     }
 
     #[test]

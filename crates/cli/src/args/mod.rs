@@ -630,6 +630,12 @@ pub struct Explain {
     /// A code (E0201), a predicate, function or property (near, gap, surface), a setting (eta) or a command (solve)
     #[arg(value_name = "WORD", required = true)]
     pub words: Vec<String>,
+    /// Also write the drawings of what the words mean, NAME.svg, into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub drawings: Option<PathBuf>,
+    /// Overwrite files that scenelang did not write or that were edited
+    #[arg(long, requires = "drawings")]
+    pub force: bool,
 }
 
 /// `scenelang categories`

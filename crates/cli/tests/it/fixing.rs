@@ -1,6 +1,6 @@
 //! `check --fix`, and comments that silence warnings, as far as files and later stages are concerned.
 
-use crate::support::scenelang;
+use crate::support::{root, scenelang};
 use std::fs;
 use std::path::Path;
 
@@ -151,6 +151,24 @@ fn guesses_are_made_only_where_they_are_asked_for() {
     let ended = scenelang(at, ["check", "--unsafe-fixes", "room.scene"]);
     assert_eq!(read(at, "room.scene"), text.replace("refridgerator", "refrigerator"), "{ended:?}");
     assert!(!ended.stdout.contains("W0205"), "{}", ended.stdout);
+}
+
+#[test]
+fn drawings_of_predicates_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let ended = scenelang(at, ["explain", "near", "clear", "--drawings", "seen"]);
+    assert!(ended.code == 0 && ended.stderr.contains("2 drawings written to seen"), "{ended:?}");
+    assert!(ended.stdout.contains("Drawing: lamp is 25 cm from sofa"), "{}", ended.stdout);
+    assert_eq!(
+        fs::read(at.join("seen/near.svg")).unwrap(),
+        fs::read(root().join("spec/src/pictures/near.svg")).unwrap()
+    );
+    let ended = scenelang(at, ["explain", "E0201", "--drawings", "other"]);
+    assert!(
+        ended.code == 2 && ended.stderr.contains("no drawing of `E0201`") && !at.join("other").exists(),
+        "{ended:?}"
+    );
 }
 
 #[test]
