@@ -97,7 +97,7 @@ fn repair(args: &Repair) -> Result<u8, String> {
     let found = look(&damaged, &which, &RepairOptions { judge: options, time, locked, ..RepairOptions::default() });
     drop(progress);
     let found = found.map_err(|Unjudged| format!("{name} cannot be checked completely; `scenelang check` says why"))?;
-    let choice = choose(args, &found.alternatives)?;
+    let choice = choose(args, &found)?;
     let mut written = Vec::new();
     if let Some(chosen) = choice.filter(|_| !args.dry_run) {
         written = apply(args, door, &checked, &found.alternatives[chosen])?;
@@ -153,11 +153,22 @@ fn for_people(
 }
 
 /// The alternative to be made: what was asked for, else the first, if it moves things and no more.
-fn choose(args: &Repair, alternatives: &[Alternative]) -> Result<Option<usize>, String> {
+fn choose(args: &Repair, found: &Repaired) -> Result<Option<usize>, String> {
+    let alternatives = &found.alternatives;
     match args.apply.map(usize::from) {
         None => Ok(alternatives.first().filter(|a| a.how == How::Moves).map(|_| 0)),
         Some(n) if n <= alternatives.len() => Ok(Some(n - 1)),
-        Some(n) => Err(format!("there is no repair number {n}; there are {}", alternatives.len())),
+        Some(n) => Err(no_repair(n, found)),
+    }
+}
+
+/// That there is no repair of a number.
+pub fn no_repair(n: usize, found: &Repaired) -> String {
+    match found.alternatives.len() {
+        0 if found.failing.is_empty() => format!("there is no repair number {n}: nothing needs repair"),
+        0 => format!("there is no repair number {n}: no repair was found"),
+        1 => format!("there is no repair number {n}; there is only 1 repair"),
+        more => format!("there is no repair number {n}; there are only {more} repairs"),
     }
 }
 

@@ -133,8 +133,8 @@ fn by_object(trace: &Trace) -> String {
     }
     for thing in &trace.objects {
         let verdict = match (thing.satisfied, &trace.layout) {
-            (Some(true), _) => ": holds",
-            (Some(false), _) => ": fails",
+            (Some(true), _) => ": all its hard constraints hold",
+            (Some(false), _) => ": some of its hard constraints fail",
             (None, Some(_)) => "",
             (None, None) => ": not checked",
         };
@@ -158,7 +158,7 @@ fn by_object(trace: &Trace) -> String {
 /// A statement on a line: verdict, place, text, objects.
 fn line(statement: &Statement, judged: bool) -> String {
     let verdict = match (statement.kind, statement.satisfied) {
-        (StatementKind::Allow | StatementKind::Property, _) => "is said",
+        (StatementKind::Allow | StatementKind::Property, _) => "needs no check",
         (_, Some(true)) => "holds",
         (StatementKind::Prefer, Some(false)) => "is not met",
         (_, Some(false)) => "FAILS",

@@ -240,7 +240,7 @@ fn message(code: Code, kinds: &[&str]) -> String {
         } else {
             "such objects are drawn as something similar"
         };
-        format!("the library has no shape of its own for {list}; {drawn}")
+        format!("the library has no shape specifically for {list}; {drawn}")
     } else if code == codes::W0601 {
         let turns = if one { "such an object becomes a labelled box" } else { "such objects become labelled boxes" };
         format!("the library has no model for {list}; {turns}")
@@ -362,11 +362,11 @@ mod tests {
 
     #[test]
     fn what_is_drawn_as_something_else_is_told() {
-        let say = "W0604 the library has no shape of its own for \"elliptical trainer\"; such an object is drawn as something similar";
+        let say = "W0604 the library has no shape specifically for \"elliptical trainer\"; such an object is drawn as something similar";
         let note = "\"elliptical trainer\" has the shape of \"treadmill\"";
         assert_eq!(told(&["elliptical trainer", "treadmill"]), [(say.to_owned(), String::new(), note.to_owned())]);
         let both = told(&["elliptical trainer", "humidifier", "elliptical trainer"]);
-        let say = "W0604 the library has no shape of its own for \"elliptical trainer\", \"humidifier\"; such objects are drawn as something similar";
+        let say = "W0604 the library has no shape specifically for \"elliptical trainer\", \"humidifier\"; such objects are drawn as something similar";
         assert_eq!(both.len(), 1);
         assert_eq!((both[0].0.as_str(), both[0].1.as_str()), (say, "humidifier"));
     }

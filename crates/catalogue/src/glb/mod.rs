@@ -107,7 +107,7 @@ fn refuse_references(document: &GlbDocument, binary: usize) -> Result<(), Fault>
         uri.starts_with('/') || uri.contains(':') || uri.split('/').any(|part| part == "..")
     };
     match document.images.iter().filter_map(|i| i.uri.as_deref()).find(|u| !u.starts_with("data:") && leads_out(u)) {
-        Some(uri) => Err(fault(codes::E0703, format!("it refers to a picture outside its folder: {}", excerpt(uri)))),
+        Some(uri) => Err(fault(codes::E0703, format!("it refers to an image outside its folder: {}", excerpt(uri)))),
         None => Ok(()),
     }
 }

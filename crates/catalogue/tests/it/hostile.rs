@@ -70,12 +70,12 @@ fn each_file_that_cannot_be_used_is_one_diagnosis() {
         (
             "picture",
             changed(|d| d["images"] = json!([{ "uri": "a/%2e%2e/../../key.png" }])),
-            "E0703 it refers to a picture outside its folder: a/%2e%2e/../../key.png",
+            "E0703 it refers to an image outside its folder: a/%2e%2e/../../key.png",
         ),
         (
             "address",
             changed(|d| d["images"] = json!([{ "uri": "http://a.example/x" }])),
-            "E0703 it refers to a picture outside its folder: http://a.example/x",
+            "E0703 it refers to an image outside its folder: http://a.example/x",
         ),
         (
             "circle",

@@ -89,7 +89,9 @@ pub fn why_not(call: &Call<'_>, WhyNot { file, statement, proof }: WhyNot) -> An
     });
     let mut out = json!({ "file": called(&path), "contradiction": !contradictions.is_empty() });
     out["text"] = match (contradictions.is_empty(), findings.complete && !findings.too_large) {
-        (false, _) => "no layout can satisfy these statements together; remove or change one of each set",
+        (false, _) => {
+            "in each of these sets, the statements contradict each other; remove or change one statement in each set"
+        }
         (true, true) => {
             "nothing is proved impossible, which does not mean that there is a layout; `solve` looks for one"
         }

@@ -4,7 +4,7 @@
 use super::tools::{Answered, Call, ToolAnswer};
 use super::verdict::{self, folded};
 use super::workspace::{Made, called, is_program};
-use crate::repair::{changes_layout, programs};
+use crate::repair::{changes_layout, no_repair, programs};
 use crate::room::layout_of;
 use crate::solve::relative;
 use crate::{formalize as reader, replace, solution};
@@ -231,8 +231,7 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
         return Ok(ToolAnswer::of(out));
     };
     let chosen = usize::from(n).checked_sub(1).and_then(|i| found.alternatives.get(i));
-    let chosen =
-        chosen.ok_or_else(|| format!("there is no repair number {n}; there are {}", found.alternatives.len()))?;
+    let chosen = chosen.ok_or_else(|| no_repair(usize::from(n), &found))?;
     let mut made: Vec<Made> = programs(&files.door, &checked, chosen)?
         .into_iter()
         .map(|(_, path, text)| Made { path, text, edited: true })
@@ -262,7 +261,7 @@ fn kept(call: &Call<'_>, out: &mut Value, made: Vec<Made>) -> Result<(), String>
     } else {
         out["in_memory"] = json!(names);
         out["note"] =
-            "the server is not allowed to write files: only its tools can see these, until it stops; with `scenelang mcp --write`, they are written to disk"
+            "this server is not allowed to write files. The files listed in `in_memory` exist only until it stops, and only its tools can see them. Start it with `scenelang mcp --write` to write them to disk."
                 .into();
     }
     Ok(())

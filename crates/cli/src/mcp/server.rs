@@ -27,9 +27,10 @@ const GRACE: Duration = Duration::from_secs(2);
 /// What a client is told at the beginning.
 const ABOUT: &str = "\
 Scenes as programs. A program (room.scene) says what stands in a room and what must hold; a layout (room.layout.json) says \
-where things are, and is made by `solve`, never by hand. Usual way: `formalize` a request, or write a program after reading \
-scenelang://guide; `check` it; `solve`; `render`. Where something fails, `repair` names the smallest changes; where nothing \
-can hold, `why_not` names the smallest set of statements to blame. Try an edit with `speculate` before making it.";
+where things are. Use `solve` to make a layout; do not write one yourself. Usual workflow: `formalize` a request (or read \
+scenelang://guide and write a program), then `check`, `solve` and `render` it. Where something fails, `repair` names the \
+smallest changes; where nothing can hold, `why_not` names the smallest set of statements to blame. Try an edit with \
+`speculate` before making it.";
 
 /// Serves one client.
 pub struct Server(Arc<Inner>);

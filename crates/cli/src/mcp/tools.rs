@@ -89,9 +89,13 @@ const fn may(name: &'static str, kind: Kind, says: &'static str) -> Param {
     Param { name, kind, needed: false, says }
 }
 
-const FILE: Param =
-    needed("file", Kind::Text, "a program, room.scene, or a layout, room.layout.json; from the workspace folder");
-const PROGRAM: Param = needed("file", Kind::Text, "a program, room.scene; from the workspace folder");
+const FILE: Param = needed(
+    "file",
+    Kind::Text,
+    "a program (such as room.scene) or a layout (such as room.layout.json), as a path relative to the workspace folder",
+);
+const PROGRAM: Param =
+    needed("file", Kind::Text, "a program (such as room.scene), as a path relative to the workspace folder");
 
 /// All of them.
 pub const TOOLS: &[Spec] = &[
@@ -125,7 +129,11 @@ pub const TOOLS: &[Spec] = &[
         says: "Find a layout that satisfies a program; it is written beside the program, as room.layout.json.",
         takes: &[
             PROGRAM,
-            may("seed", Kind::Whole, "another seed gives another layout, the same seed the same"),
+            may(
+                "seed",
+                Kind::Whole,
+                "a different seed gives a different layout; the same seed always gives the same one",
+            ),
             may(
                 "lock",
                 Kind::Texts,
@@ -154,7 +162,8 @@ pub const TOOLS: &[Spec] = &[
             may(
                 "statement",
                 Kind::Text,
-                "a statement to add first, so as to ask why it cannot hold: assert near(desk, window);",
+                "a statement to add to the program before the search, to find out why it cannot hold, \
+                 such as `assert near(desk, window);`",
             ),
             may("proof", Kind::Flag, "explain the proof step by step"),
         ],
@@ -210,7 +219,7 @@ impl Spec {
     /// For the assistant: what was wrong, and what to do about it.
     pub fn call(&self, call: &Call<'_>, args: JsonObject) -> Answered {
         let fit = |why: String| match why.starts_with(UNFIT) {
-            true => format!("{why}; {} takes {}", self.name, self.taken()),
+            true => format!("{why}; `{}` {}", self.name, self.taken()),
             false => why,
         };
         (self.run)(call, args).map_err(|why| plain::line(&fit(why)).into_owned())
@@ -218,11 +227,19 @@ impl Spec {
 
     /// What it takes, in a line.
     fn taken(&self) -> String {
-        let name = |param: &Param| match param.needed {
-            true => format!("`{}`", param.name),
-            false => format!("perhaps `{}`", param.name),
+        let names = |needed: bool| {
+            let params = self.takes.iter().filter(|param| param.needed == needed);
+            let names: Vec<String> = params.map(|param| format!("`{}`", param.name)).collect();
+            match names.split_last() {
+                Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+                _ => names.join(""),
+            }
         };
-        self.takes.iter().map(name).collect::<Vec<_>>().join(", ")
+        match (names(true), names(false)) {
+            (needed, others) if others.is_empty() => format!("takes {needed}"),
+            (needed, others) if needed.is_empty() => format!("optionally takes {others}"),
+            (needed, others) => format!("takes {needed} and, optionally, {others}"),
+        }
     }
 
     /// As clients are told of it.

@@ -47,7 +47,7 @@ pub fn summary(report: &Report, has_layout: bool) -> String {
     if !has_layout {
         let errors = report.diagnostics.iter().filter(|finding| finding.severity == "error").count();
         return match errors {
-            0 => "no error; there is no layout yet, `solve` makes one".to_owned(),
+            0 => "no errors; there is no layout yet (`solve` makes one)".to_owned(),
             1 => "1 error".to_owned(),
             n => format!("{n} errors"),
         };

@@ -227,7 +227,7 @@ fn what_is_not_ours_is_refused() {
     let ended = scenelang(folder.path(), ["check", "other.glb"]);
     insta::assert_snapshot!(ended.stdout, @r##"
     [E0008] Error: other.glb is a GLB file without an embedded program and layout
-      `scenelang synth` embeds program and layout in what it writes; other programs may remove them
+      `scenelang synth` embeds the program and the layout in the files it writes; other programs may remove them
     other.glb: 1 error
     "##);
 }

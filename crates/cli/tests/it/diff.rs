@@ -65,10 +65,10 @@ fn people_read_what_moved_and_what_that_did() {
       object  is       how
       ──────  ───────  ──────────────────────────────────────────────
       desk    moved    0.5 m north
-      desk    turned   90° counterclockwise, seen from above
+      desk    turned   90° anticlockwise, seen from above
       desk    resized  1.60 × 0.75 × 0.70 m, was 1.40 × 0.75 × 0.70 m
       lamp    moved    0.5 m north, 0.2 m west, 0.15 m down
-      lamp    asset    other id
+      lamp    asset    different id
 
       region  is        how
       ──────  ────────  ────────────────────────────────
@@ -119,7 +119,7 @@ fn json_has_words_and_numbers() {
     let differ = diff("before.layout.json", "after.layout.json");
     let desk = &differ["objects"][0];
     assert_eq!(desk["name"], "desk");
-    insta::assert_snapshot!(desk["changes"].to_string(), @r##"[{"what":"moved","words":"0.5 m north","amount":0.5,"before":[0.0,0.0,0.0],"after":[0.0,0.0,0.5]},{"what":"turned","words":"90° counterclockwise, seen from above","amount":90.0,"before":[0.0,0.0,0.0],"after":[0.0,-90.0,0.0]},{"what":"resized","words":"1.60 × 0.75 × 0.70 m, was 1.40 × 0.75 × 0.70 m","before":[1.4,0.75,0.7],"after":[1.6,0.75,0.7]}]"##);
+    insta::assert_snapshot!(desk["changes"].to_string(), @r##"[{"what":"moved","words":"0.5 m north","amount":0.5,"before":[0.0,0.0,0.0],"after":[0.0,0.0,0.5]},{"what":"turned","words":"90° anticlockwise, seen from above","amount":90.0,"before":[0.0,0.0,0.0],"after":[0.0,-90.0,0.0]},{"what":"resized","words":"1.60 × 0.75 × 0.70 m, was 1.40 × 0.75 × 0.70 m","before":[1.4,0.75,0.7],"after":[1.6,0.75,0.7]}]"##);
     insta::assert_snapshot!(differ["constraints"][0].to_string(), @r##"{"id":"room.scene:6:1","kind":"assert","text":"lamp.pos.y >= desk.top - 0.01","what":"ceases to hold","unit":"m","before":{"satisfied":true,"margin":0.010000000000000009},"after":{"satisfied":false,"margin":-0.14}}"##);
 
     let equal = diff("before.layout.json", "same.layout.json");

@@ -133,10 +133,10 @@ fn annotations_are_one_line_each() {
     ::notice file=good.scene,line=6,endLine=6,col=1,endColumn=20,title=V0106::lid.rot.y = 0 is not met: `lid.rot.y` is 30°, but must be equal to 0° (margin -29.9°)
     ::error file=good.scene,line=8,endLine=8,col=1,endColumn=30,title=V0101::1 / (box.pos.x - 5) > 0 fails: `1 / (box.pos.x - 5)` is -0.2, but must be more than 0 (margin -0.200 m)
     ::error file=good.scene,line=1,endLine=1,col=8,endColumn=10,title=V0102::`box` overlaps `lid` by 0.10 m (margin -0.099 m)
-    ::error file=good.scene,line=2,endLine=2,col=8,endColumn=10,title=V0104::`lid`: it reaches 0.1 m below the top of `box` (margin -0.095 m)
+    ::error file=good.scene,line=2,endLine=2,col=8,endColumn=10,title=V0104::`lid` is not supported: it reaches 0.1 m below the top of `box` (margin -0.095 m)
     ::notice file=good.scene,line=6,endLine=6,col=1,endColumn=20,title=V0106::lid.rot.y = 0 is not met: `lid.rot.y` is 30°, but must be equal to 0° (margin -29.9°)
     ::error file=good.scene,line=1,endLine=1,col=8,endColumn=10,title=V0102::`box` overlaps `lid` by 0.10 m (margin -0.099 m)
-    ::error file=good.scene,line=2,endLine=2,col=8,endColumn=10,title=V0104::`lid`: it reaches 0.1 m below the top of `box` (margin -0.095 m)
+    ::error file=good.scene,line=2,endLine=2,col=8,endColumn=10,title=V0104::`lid` is not supported: it reaches 0.1 m below the top of `box` (margin -0.095 m)
     "##
     );
 }
@@ -151,7 +151,7 @@ fn compact_is_one_line_each() {
     good.scene:6:1: advice[V0106]: lid.rot.y = 0 is not met: `lid.rot.y` is 30°, but must be equal to 0° (margin -29.9°)
     good.scene:8:1: error[V0101]: 1 / (box.pos.x - 5) > 0 fails: `1 / (box.pos.x - 5)` is -0.2, but must be more than 0 (margin -0.200 m)
     good.scene:1:8: error[V0102]: `box` overlaps `lid` by 0.10 m (margin -0.099 m)
-    good.scene:2:8: error[V0104]: `lid`: it reaches 0.1 m below the top of `box` (margin -0.095 m)
+    good.scene:2:8: error[V0104]: `lid` is not supported: it reaches 0.1 m below the top of `box` (margin -0.095 m)
     fails.layout.json: 1 of 3 assertions, 0 of 1 preferences, 1 of 3 physical rules hold, 1 warning
     broken.scene:1:9: error[E0111]: missing `;` at the end of this statement
     broken.scene:2:16: error[E0112]: a value is missing after `>`

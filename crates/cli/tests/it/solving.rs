@@ -37,7 +37,7 @@ fn what_is_no_program_is_told() {
         (&["solve", "room.layout.json"][..], "`solve` takes a `.scene` file, and a layout to start from with --layout"),
         (&["synth", "bedroom.scen", "-o", "out"], "there is no file bedroom.scen; a program ends in `.scene`"),
         (&["check", "room.layout.json"], "has no `pos`; `position` is not read"),
-        (&["check", "layout.scene"], "if this is a layout, pass its program"),
+        (&["check", "layout.scene"], "if this file is a layout, its name must end in `.json`"),
     ] {
         fs::write(folder.path().join("layout.scene"), text).unwrap();
         let ended = scenelang(folder.path(), args.iter().copied());

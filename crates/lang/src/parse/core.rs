@@ -49,27 +49,27 @@ pub fn check(stmt: &Stmt, mut found: Vec<Diagnostic<Where>>) -> Vec<Diagnostic<W
 pub fn check_core(stmt: &Stmt) -> Vec<Diagnostic<TextRange>> {
     let mut check = Check { stmt, found: Vec::new() };
     if let (Some(place), false) = (stmt.attributes, stmt.requirements.is_empty()) {
-        check.report(place, "`@req`");
+        check.report(place, "`@req` is");
     }
     match &stmt.kind {
         StmtKind::Declare { name, size: Some(size), .. } => {
             let end = stmt.expr(*size).range.end.max(stmt.range.end);
-            check.report(TextRange { start: name.range.start, end }, "an array");
+            check.report(TextRange { start: name.range.start, end }, "arrays are");
         }
         StmtKind::Assign { index, path, target, value, .. } => {
             if index.is_some() {
-                check.report(*target, "an element of an array");
+                check.report(*target, "elements of arrays are");
             } else if let Some(property) = path.iter().find(|p| !is_core_property(p) && !is_component(p)) {
-                check.report(*target, &format!("the property `{}`", property.text));
+                check.report(*target, &format!("the property `{}` is", property.text));
             }
             check.value(*value);
         }
         StmtKind::Assert { formula } => check.condition(*formula),
-        StmtKind::Prefer { .. } => check.report(stmt.range, "`prefer`"),
-        StmtKind::Allow { rule: Allow::Float, .. } => check.report(stmt.range, "`allowFloat`"),
+        StmtKind::Prefer { .. } => check.report(stmt.range, "`prefer` is"),
+        StmtKind::Allow { rule: Allow::Float, .. } => check.report(stmt.range, "`allowFloat` is"),
         StmtKind::Allow { args, .. } => check.names(args),
-        StmtKind::Predicate { .. } => check.report(stmt.range, "`predicate`"),
-        StmtKind::Import { .. } => check.report(stmt.range, "`import`"),
+        StmtKind::Predicate { .. } => check.report(stmt.range, "`predicate` is"),
+        StmtKind::Import { .. } => check.report(stmt.range, "`import` is"),
         StmtKind::Declare { size: None, .. } | StmtKind::Empty | StmtKind::Error => {}
     }
     check.found
@@ -82,7 +82,7 @@ struct Check<'s> {
 
 impl<'s> Check<'s> {
     fn report(&mut self, place: TextRange, what: &str) {
-        self.found.push(Diagnostic::new(E0002, place, format!("{what} is not in the core language")));
+        self.found.push(Diagnostic::new(E0002, place, format!("{what} not part of the core language")));
     }
 
     fn expr(&self, id: ExprId) -> &'s Expr {
@@ -110,10 +110,10 @@ impl<'s> Check<'s> {
     fn value(&mut self, id: ExprId) {
         let expr = self.expr(id);
         let what = match &expr.kind {
-            ExprKind::Number(_, Some(_)) => "a number with a unit".to_owned(),
-            ExprKind::Objects => "`objects`".to_owned(),
+            ExprKind::Number(_, Some(_)) => "numbers with units are".to_owned(),
+            ExprKind::Objects => "`objects` is".to_owned(),
             ExprKind::Member(_, name) if !is_core_property(name) && !is_component(name) => {
-                format!("the property `{}`", name.text)
+                format!("the property `{}` is", name.text)
             }
             ExprKind::Member(of, name) if !self.is_named(*of, is_component(name)) => {
                 // What it is taken of may be outside the core itself; then that is the news.
@@ -122,20 +122,22 @@ impl<'s> Check<'s> {
                 if self.found.len() > before {
                     return;
                 }
-                format!("`.{}` after something that is neither a name nor a property", name.text)
+                format!("`.{}` after something that is neither a name nor a property is", name.text)
             }
-            ExprKind::Own(_) | ExprKind::Where(..) => "a set filter".to_owned(),
-            ExprKind::Index(..) => "an element of an array".to_owned(),
-            ExprKind::Binary(BinaryOp::Implies, ..) => "`implies`".to_owned(),
-            ExprKind::Quantified(Quantifier::Forall, ..) => "`forall`".to_owned(),
-            ExprKind::Quantified(Quantifier::Exists, ..) => "`exists`".to_owned(),
-            ExprKind::Quantified(Quantifier::Count, ..) => "`count`".to_owned(),
-            ExprKind::Range(..) => "a range".to_owned(),
+            ExprKind::Own(_) | ExprKind::Where(..) => "set filters are".to_owned(),
+            ExprKind::Index(..) => "elements of arrays are".to_owned(),
+            ExprKind::Binary(BinaryOp::Implies, ..) => "`implies` is".to_owned(),
+            ExprKind::Quantified(Quantifier::Forall, ..) => "`forall` is".to_owned(),
+            ExprKind::Quantified(Quantifier::Exists, ..) => "`exists` is".to_owned(),
+            ExprKind::Quantified(Quantifier::Count, ..) => "`count` is".to_owned(),
+            ExprKind::Range(..) => "ranges are".to_owned(),
             ExprKind::Binary(BinaryOp::And | BinaryOp::Or, ..) | ExprKind::Not(_) | ExprKind::Compare(..) => {
-                "a condition as a value".to_owned()
+                "conditions as values are".to_owned()
             }
-            ExprKind::Call(name, _) if PREDICATES.contains(&name.text.as_str()) => "a condition as a value".to_owned(),
-            ExprKind::Call(name, _) if !FUNCTIONS.contains(&name.text.as_str()) => format!("`{}`", name.text),
+            ExprKind::Call(name, _) if PREDICATES.contains(&name.text.as_str()) => {
+                "conditions as values are".to_owned()
+            }
+            ExprKind::Call(name, _) if !FUNCTIONS.contains(&name.text.as_str()) => format!("`{}` is", name.text),
             kind => {
                 kind.for_each_child(|child| self.value(child));
                 return;
@@ -151,7 +153,7 @@ impl<'s> Check<'s> {
             self.value(*arg);
             let named = matches!(self.expr(*arg).kind, ExprKind::Name(_) | ExprKind::Error);
             if !named && self.found.len() == before {
-                self.report(self.expr(*arg).range, "an argument here that is not a name");
+                self.report(self.expr(*arg).range, "arguments that are not names are");
             }
         }
     }

@@ -26,12 +26,12 @@ const MOST: usize = 100;
 
 /// Operators of other languages: what they are here (if anything), how it is written, and a remark.
 const FOREIGN: &[(&str, Option<Kind>, &str, &str)] = &[
-    ("=>", Some(Kind::Ge), ">=", "for an implication write `implies`"),
+    ("=>", Some(Kind::Ge), ">=", "for an implication, write `implies`"),
     ("=<", Some(Kind::Le), "<=", ""),
     ("==>", Some(Kind::Implies), "implies", ""),
     ("⇒", Some(Kind::Implies), "implies", ""),
-    ("->", Some(Kind::Implies), "implies", "to assign write `<-`"),
-    ("→", Some(Kind::Implies), "implies", "to assign write `<-`"),
+    ("->", Some(Kind::Implies), "implies", "to assign, write `<-`"),
+    ("→", Some(Kind::Implies), "implies", "to assign, write `<-`"),
     ("<->", Some(Kind::Eq), "=", "between conditions, `=` means that both hold or neither does"),
     ("<=>", Some(Kind::Eq), "=", "between conditions, `=` means that both hold or neither does"),
     ("<>", Some(Kind::Ne), "!=", ""),
@@ -45,8 +45,8 @@ const FOREIGN: &[(&str, Option<Kind>, &str, &str)] = &[
     ("−", Some(Kind::Minus), "-", ""),
     ("–", Some(Kind::Minus), "-", ""),
     ("%", None, "", "write a fraction: 0.1 for 10 %"),
-    ("^", None, "", "for a square write `a * a`"),
-    ("**", None, "", "for a square write `a * a`"),
+    ("^", None, "", "for a square, write `a * a`"),
+    ("**", None, "", "for a square, write `a * a`"),
 ];
 
 /// The kind that an operator of another language has here.
@@ -255,7 +255,7 @@ fn open_comment(range: TextRange) -> Diagnostic<TextRange> {
 
 fn bad_attribute(slice: &str, range: TextRange) -> Diagnostic<TextRange> {
     let diagnostic = Diagnostic::new(E0115, range, format!("unknown annotation {}", quote(slice)))
-        .note("`@req(\"…\")` records the requirement that a statement comes from");
+        .note("`@req(\"…\")` records the requirement that a statement expresses");
     match nearest(slice, ["@req"]) {
         Some(near) => diagnostic.fix(Applicability::Unsafe, format!("write `{near}`"), range, near),
         None => diagnostic,
@@ -270,7 +270,7 @@ fn awaits_colon(text: &str, tokens: &[Token]) -> bool {
 
 fn block_of_quantifier(range: TextRange) -> Diagnostic<TextRange> {
     let place = TextRange { start: range.start, end: range.start + 1 };
-    Diagnostic::new(E0101, place, "the condition of a quantifier follows after `:`, without braces")
+    Diagnostic::new(E0101, place, "write the condition of a quantifier after `:`, without braces")
         .note("as in `forall c in chair: near(c, table, 1)`; several conditions are joined with `and`")
 }
 
@@ -303,10 +303,11 @@ fn unknown(slice: &str, range: TextRange, number: Option<Token>) -> Diagnostic<T
         }
         c if invisible(c) => diagnostic.fix(Applicability::Safe, "remove it", one, ""),
         '{' if place.start == 0 => {
-            diagnostic.note("the language has no blocks; if this is a layout, pass its program, a `.scene` file")
+            diagnostic.note("the language has no blocks; if this file is a layout, its name must end in `.json`")
         }
-        '{' | '}' => diagnostic
-            .note("the language has no blocks: a statement ends with `;`, and a condition is written `A implies B`"),
+        '{' | '}' => diagnostic.note(
+            "the language has no blocks: a statement ends with `;`, and \"if A, then B\" is written `A implies B`",
+        ),
         '#' => diagnostic.note("a comment begins with `//`"),
         c if c.is_ascii() => diagnostic,
         _ => diagnostic.note("a name consists of letters, digits and `_`"),

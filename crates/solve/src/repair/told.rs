@@ -190,8 +190,8 @@ fn needed(shown: Option<&[String; 2]>, least: f64) -> String {
     let old = parts.filter(|(_, unit)| *unit == "m").and_then(|(number, _)| number.parse::<f64>().ok());
     match old {
         Some(old) => {
-            let bound = if least < 0.0 { "at most" } else { "at least" };
-            format!(", it must be {bound} {} m", short(old + least))
+            let bound = if least < 0.0 { "more" } else { "less" };
+            format!("; {bound} than {} m would still fail", short(old + least))
         }
         None => format!(", by at least {}", short(least.abs())),
     }

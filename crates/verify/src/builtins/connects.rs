@@ -80,7 +80,13 @@ impl Semantics for Connects {
             .filter_map(|i| call.region(i).ok())
             .map(|(id, room)| (off_wall(door, room), id))
             .max_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(format!("`{name}` is up to {} off the wall of `{}`", metres(far.0), names.regions[far.1.0 as usize].name))
+        let options = &call.world.options;
+        let limit = 2.0 * options.eta + options.tolerances.door;
+        let room = &names.regions[far.1.0 as usize].name;
+        let said = format!("the farthest point of `{name}` is {} from the wall of `{room}`", metres(far.0));
+        // A door at the wall is too low or too high.
+        let is_far = far.0 > limit;
+        Some(if is_far { format!("{said}, but must be at most {} from it", metres(limit)) } else { said })
     }
 }
 

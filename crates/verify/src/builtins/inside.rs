@@ -86,7 +86,7 @@ impl Semantics for Inside {
             "the ceiling"
         };
         Some(if least < 0.0 {
-            format!("`{name}` is beyond {place} of `{region}` by {}", metres(-least))
+            format!("`{name}` extends {} beyond {place} of `{region}`", metres(-least))
         } else {
             format!("`{name}` is {} from {place} of `{region}`", metres(least))
         })

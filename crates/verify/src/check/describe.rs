@@ -62,7 +62,14 @@ pub(super) fn measured(
                 _ => "unknown".to_owned(),
             };
             let what = text(program, formula, *a).map_or("the left side".to_owned(), |t| format!("`{t}`"));
-            let must = if holds { "against" } else { "but must be" };
+            let truth = get(deciding).is_some_and(|v| matches!(v, Value::Truth(t) if t.holds));
+            // Under a `not` the two must differ.
+            let must = match (holds, truth == holds) {
+                (true, true) => "equal to",
+                (true, false) => "different from",
+                (false, true) => "but must be",
+                (false, false) => "but must be different from",
+            };
             format!("{what} is {}, {must} {}", side(*a), side(*b))
         }
         Node::BuiltIn(built_in, args) => {
@@ -93,6 +100,15 @@ fn measure(
     let Ok(Value::Number(value)) = scratch.get(left) else { return None };
     let call = Call { built_in: *built_in, args, values: scratch.values(), world, node: left };
     let (noun, unit) = (call.words(program)?, declared(*built_in).unit);
+    // What has no length is not there.
+    if value.is_infinite()
+        && !holds
+        && matches!(op, Comparison::Lt | Comparison::Le)
+        && let Some(path) = noun.strip_prefix("the shortest ")
+    {
+        let limit = with_unit(*limit, unit);
+        return Some(format!("there is no {path}, but there must be one of {} {limit}", relation(op)));
+    }
     let must = if holds { "" } else { "but must be " };
     let (value, limit) = (with_unit(value, unit), with_unit(*limit, unit));
     Some(format!("{noun} is {value}, {must}{} {limit}", relation(op)))

@@ -208,7 +208,7 @@ fn turned(from: Vec3, to: Vec3) -> Option<Change> {
         (true, true) if rotation::triple(&(b * a.transpose())).y > 0.0 => {
             format!("{degrees} clockwise, seen from above")
         }
-        (true, true) => format!("{degrees} counterclockwise, seen from above"),
+        (true, true) => format!("{degrees} anticlockwise, seen from above"),
         (true, false) => format!("{degrees}, now tilted"),
         (false, true) => format!("{degrees}, now upright"),
         (false, false) => degrees,
@@ -263,7 +263,7 @@ fn asset(before: &Json, after: &Json) -> Option<Change> {
     let words = match (before, after) {
         (Json::Null, _) => "added".to_owned(),
         (_, Json::Null) => "removed".to_owned(),
-        _ => format!("other {}", names.join(", ")),
+        _ => format!("different {}", names.join(", ")),
     };
     Some(Change { what: DifferenceKind::Asset, words, amount: None, before: None, after: None })
 }
@@ -336,7 +336,7 @@ mod tests {
     fn turns_are_told_as_seen() {
         for (from, to, wanted) in [
             ([0.0, 0.0, 0.0], [0.0, 30.0, 0.0], Some("30° clockwise, seen from above")),
-            ([0.0, 30.0, 0.0], [0.0, 10.0, 0.0], Some("20° counterclockwise, seen from above")),
+            ([0.0, 30.0, 0.0], [0.0, 10.0, 0.0], Some("20° anticlockwise, seen from above")),
             ([0.0, 350.0, 0.0], [0.0, 10.0, 0.0], Some("20° clockwise, seen from above")),
             ([0.0, 0.0, 0.0], [0.0, 360.0, 0.0], None),
             ([0.0, 0.0, 0.0], [0.0, 180.0, 0.0], Some("half a turn")),

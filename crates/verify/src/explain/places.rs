@@ -139,9 +139,9 @@ pub(crate) fn row_in_words(program: &Program, row: RowRef, place: impl Fn(usize)
             format!("`{short}` ({})", place(index))
         }
         (kind, Subject::Pair(a, b)) => {
-            format!("{} of `{}` and `{}`", rule(kind), name(program, a), name(program, b))
+            format!("{} for `{}` and `{}`", rule(kind), name(program, a), name(program, b))
         }
-        (kind, Subject::Object(a) | Subject::Part(a, _)) => format!("{} of `{}`", rule(kind), name(program, a)),
+        (kind, Subject::Object(a) | Subject::Part(a, _)) => format!("{} for `{}`", rule(kind), name(program, a)),
     }
 }
 

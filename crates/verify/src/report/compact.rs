@@ -45,11 +45,11 @@ pub(super) fn main_fact(row: &Row) -> String {
     let fails = if row.is_violation() { "fails" } else { "is not met" };
     match (row.kind, measured, row.objects.as_slice()) {
         (_, "", _) => format!("{} {fails}{margin}", row.text),
-        (RowKind::Collision, ..) => format!("{measured}{margin}"),
+        (RowKind::Collision | RowKind::Bounds, ..) => format!("{measured}{margin}"),
+        // A measure of support begins with "it".
+        (RowKind::Support, _, [object]) => format!("`{object}` is not supported: {measured}{margin}"),
         // Which object it is stands nowhere else in the line.
-        (RowKind::Bounds | RowKind::Support, _, [object]) | (RowKind::Open, _, [object, ..]) => {
-            format!("`{object}`: {measured}{margin}")
-        }
+        (RowKind::Open, _, [object, ..]) => format!("`{object}`: {measured}{margin}"),
         _ => format!("{} {fails}: {measured}{margin}", row.text),
     }
 }

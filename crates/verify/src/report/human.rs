@@ -129,17 +129,18 @@ fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_
     let stated = row.kind.rule().is_none();
     let mut notes: Vec<String> = row.requirements.iter().map(|r| format!("required by \"{r}\"")).collect();
     if let Some(rule) = row.kind.rule() {
-        notes.push(format!("{rule} applies to every program"));
+        notes.push(format!("this is the physical rule {rule}, which applies to every program"));
     }
     if words.says_rule(row) {
-        notes.push("P-COLLIDE forbids it, too".to_owned());
+        notes.push("the physical rule P-COLLIDE also forbids this overlap".to_owned());
     }
     let mut hints = Vec::new();
     words.explain(row, &mut notes, &mut hints);
     // A measure of support begins with "it".
     let whose = row.text.strip_suffix(" is supported").filter(|_| row.kind == RowKind::Support);
     let supported = whose.map(|whose| format!("{whose} is not supported: {}", row.measured));
-    let headline = if row.measured.is_empty() { &row.text } else { supported.as_ref().unwrap_or(&row.measured) };
+    let unmeasured = if stated { format!("`{}` does not hold", row.text) } else { row.text.clone() };
+    let headline = if row.measured.is_empty() { &unmeasured } else { supported.as_ref().unwrap_or(&row.measured) };
     let mut related: Vec<(Span, String)> = row.related.iter().map(|l| (l.place, l.message.clone())).collect();
     let primary = if stated {
         (row.place, label)

@@ -63,7 +63,14 @@ impl<'a> Words<'a> {
         }
         if !explanation.pinned.is_empty() {
             let pins: Vec<String> = explanation.pinned.iter().map(name).collect();
-            hints.push(format!("its objects are pinned: relax {}", pins.join(" or ")));
+            let pins = match pins.split_last() {
+                Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+                _ => pins.join(", "),
+            };
+            hints.push(format!(
+                "the program assigns the positions and rotations of all objects involved; \
+                 change or remove one of these assignments: {pins}"
+            ));
         }
     }
 
@@ -108,21 +115,19 @@ impl<'a> Words<'a> {
                 None => String::new(),
             }
         };
-        let mut parts = Vec::new();
-        if held > 0 {
+        let mut out = String::new();
+        if broken > 0 {
             let what = if row.kind == RowKind::Assert { "other assertions" } else { "assertions" };
-            parts.push(format!("{} of {held} {what} still hold", held - broken));
+            out += &format!("; {} of {held} {what} still hold", held - broken);
         }
-        if held == 0 && repair.breaks.is_empty() {
-            parts.push("nothing else is violated".to_owned());
-        }
-        if !repair.breaks.is_empty() {
-            parts.push(format!("this violates {}", list(&repair.breaks)));
-        }
+        out += &match repair.breaks.as_slice() {
+            [] => "; the move violates nothing else".to_owned(),
+            breaks => format!("; the move violates {}", list(breaks)),
+        };
         if !repair.repairs.is_empty() {
-            parts.push(format!("the move also repairs {}", list(&repair.repairs)));
+            out += &format!(" and also satisfies {}", list(&repair.repairs));
         }
-        format!(": {}", parts.join("; "))
+        out
     }
 }
 

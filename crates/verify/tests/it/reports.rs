@@ -36,7 +36,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────┬──────────────
        │               ╰──────────────── fails in room.layout.json: margin -0.37 m
        │
-       │ Help: move `nightstand` 0.38 m east: nothing else is violated; the move also repairs `not collides(bed, nightstand)` (line 5) and P-COLLIDE of `bed` and `nightstand`
+       │ Help: move `nightstand` 0.38 m east; the move violates nothing else and also satisfies `not collides(bed, nightstand)` (line 5) and P-COLLIDE for `bed` and `nightstand`
        │
        │ Note: required by "the lamp is <above> the table"
     ───╯
@@ -54,9 +54,9 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────────┬─────────────────
        │                   ╰─────────────────── fails in room.layout.json: margin -0.069 m
        │
-       │ Help: move `nightstand` 0.38 m east: nothing else is violated; the move also repairs `nightstand.pos.x > 2.5` (line 4) and P-COLLIDE of `bed` and `nightstand`
+       │ Help: move `nightstand` 0.38 m east; the move violates nothing else and also satisfies `nightstand.pos.x > 2.5` (line 4) and P-COLLIDE for `bed` and `nightstand`
        │
-       │ Note: P-COLLIDE forbids it, too
+       │ Note: the physical rule P-COLLIDE also forbids this overlap
     ───╯
     [V0106] Advice: `nightstand.rot.y` is 0°, but must be equal to 90°
        ╭─[ room.scene:6:1 ]
@@ -69,7 +69,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────────┬──────────────────
        │                   ╰──────────────────── not met in room.layout.json: margin -89.9°
        │
-       │ Help: turn `nightstand` by 90° clockwise: nothing else is violated
+       │ Help: turn `nightstand` by 90° clockwise; the move violates nothing else
     ───╯
     room.layout.json: 0 of 2 assertions, 1 of 1 assignments, 0 of 1 preferences, 2 of 3 physical rules hold
     "##);
@@ -108,7 +108,7 @@ fn line(value: &impl serde::Serialize) -> String {
 fn rows_say_what_they_should() {
     let report = bedroom().report;
     insta::assert_snapshot!(line(&report.constraints[0]), @r##"{"id":"room.scene:4:1","kind":"assert","rule":null,"code":"V0101","satisfied":false,"margin":-0.3700000000000001,"unit":"m","objects":["nightstand"],"text":"nightstand.pos.x > 2.5","message":"`nightstand.pos.x` is 2.13, but must be more than 2.5; `nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[4,1],"end":[4,30]},"requirements":["the lamp is <above> the table"],"explanation":{"measured":{"left":2.13,"right":2.5,"unit":"m"},"objects":[{"name":"nightstand","pos":[2.13,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[0.4,0.5,0.4],"text":"`nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m"}],"move":{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:5:1","P-COLLIDE:bed:nightstand"],"text":"move `nightstand` 0.38 m east"},"choices":[{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:5:1","P-COLLIDE:bed:nightstand"],"text":"move `nightstand` 0.38 m east"}]}}"##);
-    insta::assert_snapshot!(line(&report.constraints[3]), @r##"{"id":"room.scene:7:1","kind":"pin","rule":null,"code":null,"satisfied":true,"margin":0.001,"unit":"m","objects":["bed"],"text":"bed.pos <- vec3(1, 0, 2)","message":"`bed.pos` is (1, 0, 2), against (1, 0, 2)","span":{"file":"room.scene","start":[7,1],"end":[7,25]}}"##);
+    insta::assert_snapshot!(line(&report.constraints[3]), @r##"{"id":"room.scene:7:1","kind":"pin","rule":null,"code":null,"satisfied":true,"margin":0.001,"unit":"m","objects":["bed"],"text":"bed.pos <- vec3(1, 0, 2)","message":"`bed.pos` is (1, 0, 2), equal to (1, 0, 2)","span":{"file":"room.scene","start":[7,1],"end":[7,25]}}"##);
     insta::assert_snapshot!(line(&report.constraints[4]), @r##"{"id":"P-COLLIDE:bed:nightstand","kind":"collision","rule":"P-COLLIDE","code":"V0102","satisfied":false,"margin":-0.06900000000000012,"unit":"m","objects":["bed","nightstand"],"text":"`bed` and `nightstand` do not collide","message":"`bed` overlaps `nightstand` by 0.07 m; `bed` is at (1.00, 0.00, 2.00), faces north (+z), 2.00 × 0.55 × 1.60 m; `nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m","span":{"file":"room.scene","start":[1,8],"end":[1,11]},"explanation":{"measured":{"left":-0.07000000000000012,"right":-0.001,"unit":"m"},"objects":[{"name":"bed","pos":[1.0,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[2.0,0.55,1.6],"text":"`bed` is at (1.00, 0.00, 2.00), faces north (+z), 2.00 × 0.55 × 1.60 m"},{"name":"nightstand","pos":[2.13,0.0,2.0],"rot":[0.0,0.0,0.0],"size":[0.4,0.5,0.4],"text":"`nightstand` is at (2.13, 0.00, 2.00), faces north (+z), 0.40 × 0.50 × 0.40 m"}],"move":{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:4:1","room.scene:5:1"],"text":"move `nightstand` 0.38 m east"},"choices":[{"object":"nightstand","by":[0.38,0.0,0.0],"turn":0.0,"breaks":[],"repairs":["room.scene:4:1","room.scene:5:1"],"text":"move `nightstand` 0.38 m east"}]}}"##);
     insta::assert_snapshot!(line(&report.summary), @r##"{"assertions":{"total":2,"satisfied":0},"preferences":{"total":1,"satisfied":0},"physical":{"total":3,"satisfied":2},"pins":{"total":1,"satisfied":1}}"##);
 }

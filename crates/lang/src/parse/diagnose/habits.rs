@@ -35,7 +35,7 @@ pub fn prefix(site: &Site<'_>) -> Option<Finding> {
     }
     let (word, place) = (site.slice(at), site.range(at));
     let meant = |meant: &str, applicability| {
-        Diagnostic::new(E0116, place, format!("there is no operator {}", quote(word)))
+        Diagnostic::new(E0116, place, format!("unknown word {}", quote(word)))
             .label(format!("did you mean `{meant}`?"))
             .fix(applicability, format!("write `{meant}`"), place, meant)
     };
@@ -43,9 +43,9 @@ pub fn prefix(site: &Site<'_>) -> Option<Finding> {
         return Some(meant("not", Applicability::Safe));
     }
     if word.eq_ignore_ascii_case("if") {
-        let diagnostic = Diagnostic::new(E0116, place, "there is no operator `if`");
+        let diagnostic = Diagnostic::new(E0116, place, "unknown word `if`");
         return Some(
-            diagnostic.note("a condition is written `A implies B`, as in `near(a, b, 1) implies facing(a, b)`"),
+            diagnostic.note("\"if A, then B\" is written `A implies B`, as in `near(a, b, 1) implies facing(a, b)`"),
         );
     }
     let bound = found == Kind::Ident && site.slice(site.at + 1) == "in";
@@ -62,8 +62,7 @@ pub fn called_quantifier(site: &Site<'_>) -> Option<Finding> {
     }
     let word = site.slice(open - 1);
     let (_, quantifier) = QUANTIFIERS.iter().find(|(other, _)| other.eq_ignore_ascii_case(word))?;
-    let message = format!("{} is not called like a function here", site.quoted(open - 1));
-    let diagnostic = Diagnostic::new(E0110, site.range(open - 1), message);
+    let diagnostic = Diagnostic::new(E0110, site.range(open - 1), "a quantifier is not written like a function call");
     Some(diagnostic.note(format!("write `{quantifier} {} in …: …`, without parentheses", site.slice(open + 1))))
 }
 
@@ -90,7 +89,7 @@ pub fn sentence(site: &Site<'_>) -> Option<Finding> {
     let written = format!("@req({}) {word}", site.slice(string));
     let replaced = if joined { keyword.cover(site.range(site.at)) } else { keyword.cover(site.range(end)) };
     let title = format!("write {}", quote(&written));
-    let message = format!("`{word}` takes no text; a requirement stands before it");
+    let message = format!("`{word}` takes no text; write the requirement before it, with `@req`");
     Some(Diagnostic::new(E0110, site.range(string), message).fix(Applicability::Safe, title, replaced, written))
 }
 
@@ -107,7 +106,7 @@ fn trailing_sentence(site: &Site<'_>) -> Option<Finding> {
 }
 
 fn requirement(place: TextRange, word: &str) -> Finding {
-    let message = format!("`{word}` takes no text; a requirement stands before it");
+    let message = format!("`{word}` takes no text; write the requirement before it, with `@req`");
     Diagnostic::new(E0110, place, message).note(format!("write `@req(\"…\") {word} …;`"))
 }
 
@@ -161,7 +160,7 @@ pub fn vector(site: &Site<'_>) -> Option<Finding> {
             let title = format!("write {}", quote(&format!("vec3{}", &site.text[whole.bytes()])));
             diagnostic.fix(Applicability::Unsafe, title, site.range(open), "vec3(")
         }
-        _ => diagnostic.note(format!("a vector has three components; these are {components}")),
+        _ => diagnostic.note(format!("a vector has three components, but here there are {components}")),
     })
 }
 

@@ -66,11 +66,23 @@ const SYNONYMS: &[(&str, &str)] = &[
 
 /// Statements that the language does not have, and what is written instead.
 const FOREIGN: &[(&str, &str)] = &[
-    ("minimize", "nothing is minimized; a preference says what should hold, as in `prefer near(lamp, bed, 0.5);`"),
-    ("maximize", "nothing is maximized; a preference says what should hold, as in `prefer distance(bed, tv) > 2;`"),
-    ("if", "a condition is part of what it is asserted for, as in `assert near(a, b, 1) implies facing(a, b);`"),
-    ("for", "what holds for each object of a set is written `assert forall c in chair: near(c, table, 1);`"),
-    ("foreach", "what holds for each object of a set is written `assert forall c in chair: near(c, table, 1);`"),
+    (
+        "minimize",
+        "there is no `minimize` statement; state what should hold as a preference, as in \
+         `prefer near(lamp, bed, 0.5);`",
+    ),
+    (
+        "maximize",
+        "there is no `maximize` statement; state what should hold as a preference, as in \
+         `prefer distance(bed, tv) > 2;`",
+    ),
+    (
+        "if",
+        "there is no `if` statement; write the condition inside the assertion, with `implies`: \
+         `assert near(a, b, 1) implies facing(a, b);`",
+    ),
+    ("for", "to state something for each object in a set, write `assert forall c in chair: near(c, table, 1);`"),
+    ("foreach", "to state something for each object in a set, write `assert forall c in chair: near(c, table, 1);`"),
 ];
 
 /// The word for a statement that a misspelt one is near to.
@@ -94,13 +106,14 @@ pub fn meant_statement(word: &str, after: &str) -> Option<(&'static str, Kind)> 
 }
 
 /// What is said of a condition that is neither asserted nor preferred.
-const UNASSERTED: &str = "a condition alone says nothing: assert it, or prefer it";
+const UNASSERTED: &str = "a condition alone is not a statement: write `assert` or `prefer` before it";
 
 /// `@req` without its sentence, or without a statement behind it.
 pub fn attribute(site: &Site<'_>) -> Option<Finding> {
     if site.at == site.head && site.head > 0 && site.found().is_none() {
         let place = site.ranges[0].cover(site.behind(site.at - 1));
-        let diagnostic = Diagnostic::new(E0110, place, "`@req` must be followed by the statement that it explains");
+        let message = "`@req` must be followed by the statement that expresses the requirement";
+        let diagnostic = Diagnostic::new(E0110, place, message);
         return Some(diagnostic.label(format!("expected a statement after it, found {}", site.name_of(site.at))));
     }
     let start = (0..site.at).rev().find(|&at| site.kinds[at] == Kind::Req)?;

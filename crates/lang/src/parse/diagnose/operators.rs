@@ -40,7 +40,7 @@ pub fn comma(site: &Site<'_>) -> Option<Finding> {
     let (before, after) = (site.kind(site.at - 1), site.kind(site.at + 1));
     let touching = site.ranges.get(site.at + 1).is_some_and(|next| next.start == place.end);
     if (before, after, touching) == (Some(Kind::Number), Some(Kind::Number), true) {
-        let message = "a decimal point is written as `.`";
+        let message = "the decimal separator is `.`, not a comma";
         return Some(Diagnostic::new(E0110, place, message).fix(Applicability::Unsafe, "write `.`", place, "."));
     }
     if site.innermost_open().is_some() {
@@ -83,7 +83,7 @@ pub fn misspelt(site: &Site<'_>) -> Option<Finding> {
     let other_case = ours.into_iter().find(|operator| operator.eq_ignore_ascii_case(word));
     let near = synonym.or(other_case).or_else(|| nearest(word, ours))?;
     let place = site.range(site.at);
-    let diagnostic = Diagnostic::new(E0116, place, format!("there is no operator {}", site.quoted(site.at)));
+    let diagnostic = Diagnostic::new(E0116, place, format!("unknown word {}", site.quoted(site.at)));
     let diagnostic = diagnostic.label(format!("did you mean `{near}`?"));
     // `AND` can mean nothing else.
     let applicability = if Some(near) == other_case { Applicability::Safe } else { Applicability::Unsafe };
