@@ -7,7 +7,7 @@
 
 use super::interval::Interval;
 use crate::number::{Algebra, Logic};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -81,7 +81,12 @@ pub(crate) struct Tape {
     known_ops: FxHashMap<Op, Term>,
     known_facts: FxHashMap<Fact, Claim>,
     unknowns: u32,
+    /// Constants that were computed, and rounded.
+    rounded: FxHashSet<Term>,
 }
+
+/// So near to a bound (relative) the way in which a number was computed decides on which side of it it is.
+const ROUNDED: f64 = 1e-9;
 
 thread_local! {
     /// The tape that is being written, while [`Tape::record`] runs: numbers are `Copy`, and constants come from nowhere, so
@@ -130,6 +135,15 @@ impl Tape {
             Op::Constant(bits) => Some(f64::from_bits(bits)),
             _ => None,
         }
+    }
+    /// A constant computed from others, and whether it is just what floats make of it.
+    fn computed(&mut self, value: f64, exact: bool, from: &[Term]) -> Term {
+        let is_rounded = !exact || from.iter().any(|term| self.rounded.contains(term));
+        let term = constant(self, value);
+        if is_rounded {
+            self.rounded.insert(term);
+        }
+        term
     }
 }
 
@@ -192,6 +206,12 @@ pub(crate) fn implies(a: Claim, b: Claim) -> Claim {
 fn compare(term: Term, bound: f64, strict: bool) -> Claim {
     tape(|t| {
         let range = t.range(term);
+        // A layout is judged by other steps, whose last bits are others.
+        if t.rounded.contains(&term) && (range.lo - bound).abs() <= ROUNDED * (1.0 + bound.abs()) {
+            t.unknowns += 1;
+            let fact = Fact::Open(t.unknowns);
+            return t.fact(fact);
+        }
         let holds = |x: f64| if strict { x > bound } else { x >= bound };
         if holds(range.lo) {
             return Claim::TRUE;
@@ -261,7 +281,16 @@ impl Term {
     /// A node of one argument; constants are computed as floats are.
     fn unary(self, op: Op, plain: impl Fn(f64) -> f64, bound: impl Fn(Interval) -> Interval) -> Self {
         tape(|t| match t.value(self) {
-            Some(value) => constant(t, plain(value)),
+            Some(value) => {
+                let result = plain(value);
+                let exact = match op {
+                    Op::Abs(_) => true,
+                    Op::Square(_) => value.mul_add(value, -result) == 0.0,
+                    Op::Scale(_, factor) => value.mul_add(f64::from_bits(factor), -result) == 0.0,
+                    _ => false,
+                };
+                t.computed(result, exact, &[self])
+            }
             None => {
                 let range = bound(t.range(self));
                 t.op(op, range)
@@ -276,7 +305,17 @@ impl Term {
         bound: impl Fn(Interval, Interval) -> Interval,
     ) -> Self {
         tape(|t| match (t.value(self), t.value(other)) {
-            (Some(a), Some(b)) => constant(t, plain(a, b)),
+            (Some(a), Some(b)) => {
+                let result = plain(a, b);
+                let exact = match op {
+                    Op::Min(..) | Op::Max(..) => true,
+                    Op::Add(..) => sum_is_exact(a, b),
+                    Op::Sub(..) => sum_is_exact(a, -b),
+                    Op::Mul(..) => a.mul_add(b, -result) == 0.0,
+                    _ => false,
+                };
+                t.computed(result, exact, &[self, other])
+            }
             _ => {
                 let range = bound(t.range(self), t.range(other));
                 t.op(op, range)
@@ -301,6 +340,13 @@ fn constant(tape: &mut Tape, value: f64) -> Term {
     // −0 is 0.
     let value = value + 0.0;
     tape.op(Op::Constant(value.to_bits()), if value.is_nan() { Interval::ALL } else { Interval::point(value) })
+}
+
+/// Whether a sum is not rounded (Knuth, The Art of Computer Programming, volume 2, 4.2.2, theorem B).
+fn sum_is_exact(a: f64, b: f64) -> bool {
+    let sum = a + b;
+    let of_b = sum - a;
+    (a - (sum - of_b)) + (b - of_b) == 0.0
 }
 
 fn ordered(a: Term, b: Term) -> (Term, Term) {
