@@ -509,12 +509,16 @@ impl<'a> Plan<'a> {
     }
 
     /// Whether a rug lies under a thing: one in each room, and none on tiles. A table whose place is asked for does not keep
-    /// away from the walls for the sake of one.
+    /// away from the walls for the sake of one, and beside what is asked for in a corner there is no room for one.
     fn wants_rug(&self, thing: usize) -> bool {
         let it = &self.draft.things[thing];
         let is_rug = |t: &DraftThing| t.room == Some(self.room) && t.category.ends_with("rug");
         let bound = stand::group(&it.category) == Group::Table && stand::placed(self.draft, &it.name);
-        !bound && it.count == 1 && self.kind.floor.0 != "tile" && !self.draft.things.iter().any(is_rug)
+        let corner = format!("inCorner({}, ", it.name);
+        let asks = |s: &Statement| matches!(s.source, ThingOrigin::Stated(_)) && s.text.contains(&corner);
+        let is_in_corner = self.draft.statements.iter().any(asks);
+        let is_free = !bound && !is_in_corner && it.count == 1;
+        is_free && self.kind.floor.0 != "tile" && !self.draft.things.iter().any(is_rug)
     }
 
     /// Says where the elements of a part are, given those of what it goes with.
