@@ -24,6 +24,12 @@ impl Reader<'_> {
         }
     }
 
+    /// "… and the wall".
+    pub(super) fn wall_next(&self, next: usize, end: usize) -> bool {
+        let wall = self.np(next + 1, end).is_some_and(|np| np.kind == NounKind::Place(Place::Wall));
+        wall && self.piece(next, end) == Some(&ChunkPiece::And)
+    }
+
     /// Relations said before the subject came.
     pub(super) fn apply_lead(&mut self) {
         let lead = std::mem::take(&mut self.s.lead);

@@ -103,12 +103,6 @@ impl Reader<'_> {
         next
     }
 
-    /// "… and the wall".
-    fn wall_next(&self, next: usize, end: usize) -> bool {
-        let wall = self.np(next + 1, end).is_some_and(|np| np.kind == NounKind::Place(Place::Wall));
-        wall && self.piece(next, end) == Some(&ChunkPiece::And)
-    }
-
     /// Where a word of a relation says something else than how two things stand to each other; the next chunk.
     fn not_of_two(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
         // "in dark green felt"
