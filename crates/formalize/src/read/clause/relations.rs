@@ -87,7 +87,8 @@ impl Reader<'_> {
             (i..next + 2).for_each(|k| self.mark(k));
             return next + 2;
         }
-        let walled = rel == Rel::Between && !negative && matches!(object, Lead::Items(..)) && self.wall_next(next, end);
+        let one = matches!(&object, Lead::Items(items, _) if items.len() == 1);
+        let walled = rel == Rel::Between && !negative && one && self.wall_next(next, end);
         let (rel, next) = if walled {
             (next..next + 2).for_each(|k| self.mark(k));
             (Rel::WallBeyond, next + 2)
