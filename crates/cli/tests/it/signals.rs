@@ -13,7 +13,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// So many points of each command and signal.
-const POINTS: u64 = 12;
+const POINTS: u64 = 8;
 /// What the shell sees of an end by Ctrl-C.
 const INTERRUPTED: i32 = 130;
 /// Nothing here takes so long.

@@ -297,7 +297,10 @@ impl<'r, 'a> Run<'r, 'a> {
             (false, _) => 1.0,
         };
         let left = self.options.budget.saturating_sub(search.state.work);
-        let budget = left.min((self.options.budget as f64 * share) as u64);
+        // With nothing to change, looking once is enough.
+        let frame = &self.setup.frame;
+        let may_change = frame.objects().any(|id| frame.is_movable(id)) || !frame.program.variables.is_empty();
+        let budget = if may_change { left.min((self.options.budget as f64 * share) as u64) } else { left.min(1) };
         let mut limit = self.limit.clone();
         if limit.left().is_some() && !self.setup.frame.walks.is_empty() {
             first.local.search(&mut first.chance, 0, &limit, &given);

@@ -2,11 +2,13 @@
 //! so that a new one is tested by being there.
 
 use crate::dice::Dice;
-use crate::given::{judged, layout};
+use crate::given::layout;
+use scenelang_base::FileId;
 use scenelang_lang::ast::TypeWord;
 use scenelang_lang::items::Predicate;
 use scenelang_lang::{library, wording};
-use scenelang_verify::{Checked, Options};
+use scenelang_layout::file;
+use scenelang_verify::{CheckVerdict, Options, check};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -52,8 +54,8 @@ fn boxes(names: &[String], dice: &mut Dice) -> String {
 }
 
 /// What the only assertion says where it fails.
-fn violation(checked: &Checked) -> Option<&str> {
-    let row = checked.verdict.rows.iter().find(|row| row.code.to_string() == "V0101" || !row.text.starts_with("P-"))?;
+fn violation(verdict: &CheckVerdict) -> Option<&str> {
+    let row = verdict.rows.iter().find(|row| row.code.to_string() == "V0101" || !row.text.starts_with("P-"))?;
     (row.satisfied == Some(false)).then_some(row.measured.as_str())
 }
 
@@ -74,9 +76,11 @@ fn a_violation_of_each_predicate_names_its_objects() {
     for name in library::names() {
         let predicate = &library::predicates()[name];
         let (scene, names) = program(predicate);
+        let compiled = crate::proofs::compiled(&scene);
         for seed in 0..20 {
-            let checked = judged(&scene, &layout(&boxes(&names, &mut Dice(seed))), &Options::default());
-            let Some(said) = violation(&checked) else { continue };
+            let placed = file::read(&layout(&boxes(&names, &mut Dice(seed))), FileId(0)).layout;
+            let verdict = check(&compiled, &placed, &Options::default());
+            let Some(said) = violation(&verdict) else { continue };
             let is_named = names.iter().any(|object| said.contains(&format!("`{object}[")));
             assert!(is_named, "{name}, seed {seed}: {said:?}");
             lines.entry(format!("{name}: {}", form(said))).or_insert_with(|| format!("{name}: {said}"));

@@ -107,10 +107,10 @@ rows! {
     the_settings_are_huge: |repo| repo.sparse("scenelang.toml", 8 << 30);
     a_carrier_is_huge: |repo| repo.sparse("room.glb", 8 << 30);
     imports_in_a_long_chain: |repo| {
-        for i in 0..400 {
+        for i in 0..100 {
             repo.write(&format!("lib/{i}.scene"), format!("import \"{}.scene\";\n", i + 1));
         }
-        repo.write("lib/400.scene", "");
+        repo.write("lib/100.scene", "");
         import(repo, "lib/0.scene");
     };
     // ── What a layout names ──
