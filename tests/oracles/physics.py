@@ -1,13 +1,13 @@
-"""Judges a layout with the physics engine MuJoCo: nothing overlaps, and everything stays where it was put.
+"""Judges layouts with the physics engine MuJoCo: nothing overlaps, and everything stays where it was put.
 
-usage: physics.py LAYOUT.json FACTS.json [--seconds 2]
+usage: physics.py LAYOUT.json FACTS.json [LAYOUT.json FACTS.json …] [--seconds 2]
 
 LAYOUT is a scenelang layout. FACTS says what the program behind it states, which a layout does not record:
   {"held": ["door", …],            hung on a wall or a ceiling, set in a wall, or floating by permission
    "overlap": [["rug", "bed"], …]} pairs that may share space
 Frames: the layout is left-handed with y up, MuJoCo right-handed with z up; y and z change places, so a point
 (x, y, z) becomes (x, z, y) and a rotation R becomes S R S with S the exchange of the two axes.
-Prints one JSON object. Exit 0: sound; 1: an overlap above 2 mm or a move above 2 cm; 2: cannot judge.
+Prints a line of JSON for each layout. Exit 0: all are sound; 1: an overlap above 2 mm or a move above 2 cm; 2: cannot judge.
 """
 import argparse
 import json
@@ -130,26 +130,32 @@ def drifts(model, held, seconds):
     return moved, float(far.max(initial=0))
 
 
-def main():
-    arguments = argparse.ArgumentParser()
-    arguments.add_argument("layout")
-    arguments.add_argument("facts")
-    arguments.add_argument("--seconds", type=float, default=2.0)
-    given = arguments.parse_args()
+def judge(layout_file, facts_file, seconds):
     try:
-        with open(given.layout, encoding="utf-8") as file:
+        with open(layout_file, encoding="utf-8") as file:
             layout = json.load(file)
-        with open(given.facts, encoding="utf-8") as file:
+        with open(facts_file, encoding="utf-8") as file:
             facts = json.load(file)
         held = set(facts["held"])
         model = build(layout, held, facts["overlap"])
     except Exception as problem:  # whatever it is, the verdict is: cannot judge
-        print(f"cannot judge: {type(problem).__name__}: {problem}", file=sys.stderr)
+        print(f"{layout_file}: cannot judge: {type(problem).__name__}: {problem}", file=sys.stderr)
         return 2
     shared = overlaps(model, held, facts["overlap"])
-    moved, most = drifts(model, held, given.seconds)
-    print(json.dumps({"objects": len(layout["objects"]), "overlaps": shared, "moved": moved, "largest_move": round(most, 5)}))
+    moved, most = drifts(model, held, seconds)
+    found = {"objects": len(layout["objects"]), "overlaps": shared, "moved": moved, "largest_move": round(most, 5)}
+    print(json.dumps({"layout": layout_file, **found}))
     return 1 if shared or moved else 0
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("files", nargs="+", metavar="LAYOUT FACTS")
+    arguments.add_argument("--seconds", type=float, default=2.0)
+    given = arguments.parse_args()
+    if len(given.files) % 2:
+        arguments.error("each layout needs a file of facts")
+    return max(judge(*pair, given.seconds) for pair in zip(given.files[::2], given.files[1::2]))
 
 
 if __name__ == "__main__":

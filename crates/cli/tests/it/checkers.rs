@@ -148,10 +148,12 @@ mod agree_on_every_example {
             std::fs::write(&facts_file, facts(&program).to_string()).unwrap();
             let mut layouts = vec![out.join(format!("{name}.layout.json"))];
             layouts.extend(["1", "2"].map(|seed| solved(folder.path(), &scene, seed)));
+            let mut physics = Command::new(&python);
+            physics.arg(oracle("physics.py"));
             for layout in layouts {
-                let command = &mut Command::new(&python);
-                found.extend(judge("physics", command.arg(oracle("physics.py")).arg(layout).arg(&facts_file)));
+                physics.arg(layout).arg(&facts_file);
             }
+            found.extend(judge("physics", &mut physics));
             found.extend(simulators(&out, name, &python, &program));
         } else {
             skip("Unity project, physics and files for simulators not checked: no .venv");

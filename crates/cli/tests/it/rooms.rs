@@ -24,7 +24,7 @@ const KNOWN: [(&str, &str); 5] = [
 /// Each fourth of the requests, so that they are tried side by side.
 fn hold(first: usize) {
     let requests = std::fs::read_to_string(root().join("tests/requests/rooms.txt")).unwrap();
-    let mut wrong = String::new();
+    let (mut wrong, mut placed) = (String::new(), Vec::new());
     for request in requests.lines().skip(first).step_by(4) {
         let folder = tempfile::tempdir().unwrap();
         let ended = scenelang(folder.path(), ["synth", request, "-o", "out", "--only", "plan"]);
@@ -50,15 +50,20 @@ fn hold(first: usize) {
                 wrong += &format!("{request}: {guideline} {}\n", row["id"]);
             }
         }
-        if let Some(python) = python() {
-            let file = folder.path().join("facts.json");
-            std::fs::write(&file, facts(&program).to_string()).unwrap();
-            let layout = folder.path().join("out/room.layout.json");
-            let found = judge("physics", Command::new(&python).arg(oracle("physics.py")).arg(layout).arg(&file));
-            wrong += &found.map_or(String::new(), |found| format!("{request}: {found}\n"));
-        } else {
-            skip("physics not checked: no .venv");
+        let file = folder.path().join("facts.json");
+        std::fs::write(&file, facts(&program).to_string()).unwrap();
+        println!("{}: {request}", folder.path().display());
+        placed.push((folder, file));
+    }
+    if let Some(python) = python() {
+        let mut command = Command::new(python);
+        command.arg(oracle("physics.py"));
+        for (folder, facts) in &placed {
+            command.arg(folder.path().join("out/room.layout.json")).arg(facts);
         }
+        wrong.extend(judge("physics", &mut command));
+    } else {
+        skip("physics not checked: no .venv");
     }
     assert!(wrong.is_empty(), "\n{wrong}");
 }

@@ -27,7 +27,7 @@ fn requests() -> Vec<String> {
 }
 
 #[test]
-fn every_room_has_a_way_in_and_light_and_compiles() {
+fn every_room_has_a_way_in_and_light_says_why_and_compiles() {
     let all = requests();
     assert!(all.len() >= 40);
     for request in &all {
@@ -37,6 +37,12 @@ fn every_room_has_a_way_in_and_light_and_compiles() {
             ["light", "lamp", "panel", "chandelier", "spotlight"].iter().any(|l| t.category.ends_with(l))
         };
         assert!(draft.things.iter().any(light), "{request}: no light");
+        for thing in &draft.things {
+            match &thing.source {
+                ThingOrigin::Stated(at) => assert!(!at.is_empty(), "{request}: {}", thing.name),
+                ThingOrigin::Inferred(why) => assert!(why.len() > 5, "{request}: {}", thing.name),
+            }
+        }
         assert!(draft.rooms.iter().all(|r| r.floor.material.is_some() || r.floor.color.is_some()), "{request}");
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(&draft), Front::default());
         assert!(!compiled.has_errors(), "{request}: {:?}", compiled.diagnostics);
@@ -106,18 +112,6 @@ fn a_crowd_is_bounded_and_said() {
     assert!(
         draft("A hall with 300 chairs and 300 crates and 300 desks.").notes.iter().any(|n| n.reason.contains("800"))
     );
-}
-
-#[test]
-fn added_things_say_why() {
-    for request in requests() {
-        for thing in draft(&request).things {
-            match thing.source {
-                ThingOrigin::Stated(at) => assert!(!at.is_empty(), "{request}: {}", thing.name),
-                ThingOrigin::Inferred(why) => assert!(why.len() > 5, "{request}: {}", thing.name),
-            }
-        }
-    }
 }
 
 /// Request, noun, how many there are of it.
