@@ -22,7 +22,7 @@ let reader;
 before(async () => {
   if (missing) return;
   folder = mkdtempSync(join(tmpdir(), "scenelang-viewer-"));
-  browser = await puppeteer.launch({ executablePath: chromium, headless: true, args: FLAGS, userDataDir: join(folder, "profile") });
+  browser = await puppeteer.launch({ executablePath: chromium, headless: true, protocolTimeout: 60_000, args: FLAGS, userDataDir: join(folder, "profile") });
   reader = await browser.newPage();
 });
 after(async () => {
