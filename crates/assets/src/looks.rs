@@ -76,7 +76,7 @@ const FINISHES: &[(Finish, &str, f32, f32, f32)] = &[
     (Finish::Tiles, "tiles", 0.22, 0.0, 1.0),
 ];
 
-// They are found by their place, so they must be in the order of the type.
+// A finish is found by its index, so the table must be in the order of the type.
 const _: () = {
     let mut i = 0;
     while i < FINISHES.len() {

@@ -361,6 +361,8 @@ fn colour_words() {
         ("lightgray", "d3d3d3"),
         ("SteelBlue", "4682b4"),
         ("mustard yellow", "d2a32b"),
+        ("white tops, grey steel frames", "f4f3ef"),
+        ("oak and black", "c49b6b"),
         ("dark wood", "6b5033"),
         ("matte charcoal", "3a3d40"),
         ("forest green", "2f6b3c"),
@@ -369,11 +371,9 @@ fn colour_words() {
     ] {
         assert_eq!(surface(text), format!("paint-{want}"), "{text}");
     }
-    for (text, first, second) in
-        [("white tops, grey steel frames", "f4f3ef", "8a8d91"), ("oak and black", "c49b6b", "1f2022")]
-    {
+    for (text, second) in [("white tops, grey steel frames", "8a8d91"), ("oak and black", "1f2022")] {
         let chair = chair(text, "");
-        assert!([first, second].iter().all(|hex| chair.iter().any(|name| name.ends_with(hex))), "{text}: {chair:?}");
+        assert!(chair.iter().any(|name| name.ends_with(second)), "{text}: {chair:?}");
     }
 }
 
@@ -382,6 +382,7 @@ fn material_words() {
     let surface = |text: &str| covering("", text, "", "").name;
     for (text, want) in [
         ("oak", "wood-c49b6b"),
+        ("oak and steel", "wood-c49b6b"),
         ("stainless steel", "metal-bcc1c5"),
         ("birch plywood", "wood-e4cfa9"),
         ("tempered glass", "glass-d4e8ec"),
@@ -391,5 +392,5 @@ fn material_words() {
         assert_eq!(surface(text), want, "{text}");
     }
     let chair = chair("", "oak and steel");
-    assert!(["wood-c49b6b", "metal-adb2b7"].iter().all(|wanted| chair.iter().any(|name| name == wanted)), "{chair:?}");
+    assert!(chair.iter().any(|name| name == "metal-adb2b7"), "{chair:?}");
 }

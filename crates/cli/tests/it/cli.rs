@@ -219,13 +219,10 @@ fn what_is_locked_stays_and_what_may_move_does() {
     let after = places("next.json");
     assert_eq!((&after[1], &after[2]), (&before[1], &before[2]));
     assert!(after[0] != before[0] && after[3] != before[3], "{after:?}");
-    let ended = run(&["--lock", "box", "post"]);
+    let ended = run(&["--lock", "box", "post", "--format", "json"]);
     assert_eq!(ended.code, 1, "{}{}", ended.stdout, ended.stderr);
-    assert!(
-        !ended.stdout.contains("time limit"),
-        "with everything locked there is nothing to search: {}",
-        ended.stdout
-    );
+    let said: Value = serde_json::from_str(&ended.stdout).unwrap();
+    assert_eq!(said["end"], "exhausted", "with everything locked there is nothing to search");
     assert_eq!(places("next.json"), before);
     let ended = run(&["--lock", "boks"]);
     assert_eq!(ended.code, 2, "{}", ended.stdout);

@@ -125,7 +125,7 @@ fn survives(old: &[&str], new: &[&str]) {
     assert_ne!(before, after, "{new:?} writes something");
     for point in 0..points() {
         for signal in ["-INT", "-TERM", "-KILL"] {
-            if signal == "-TERM" && point % 8 != 0 {
+            if signal == "-TERM" && point % 4 != 0 {
                 continue;
             }
             restore(folder.path(), &before);
