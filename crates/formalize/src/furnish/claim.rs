@@ -179,6 +179,11 @@ impl Plan<'_> {
     fn agrees(&self, part: &GroupPart, name: &str) -> bool {
         let around = part.at.is_around();
         let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
+        // Most sofas stand at a wall: a bookcase is behind one only if the request says so.
+        let optional = part.least >= groups::IF_ASKED && matches!(part.at, Where::Back(..));
+        if optional && !self.draft.statements.iter().filter(about).any(|s| calls(&s.text).contains(&"behind")) {
+            return false;
+        }
         self.draft.statements.iter().filter(about).filter(|s| !daylight::is_moving_window(self, s)).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;

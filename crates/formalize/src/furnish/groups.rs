@@ -55,6 +55,9 @@ impl Where {
     }
 }
 
+/// No room is so large (m²): such a part is there only if the request names it.
+pub const IF_ASKED: f64 = 900.0;
+
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroupPart {
     pub noun: &'static str,
