@@ -420,6 +420,10 @@ impl<'a> Plan<'a> {
         }
         let places: Vec<Slot> = slots(&at, &Sizes { of, own, round }, &shelf)
             .into_iter()
+            .map(|mut slot| {
+                taken.iter().for_each(|other| other.raise(&mut slot, own, of[1]));
+                slot
+            })
             .filter(|slot| match slot.level {
                 Level::Above(y) => y + own[1] < height - 0.05,
                 _ => true,
@@ -458,7 +462,7 @@ impl<'a> Plan<'a> {
             group.add(thing, new, &places, (noun, own, &at), height);
         }
         self.fix(thing, new, &places, height, &why);
-        self.group(thing, new, &at, &why);
+        self.group(thing, new, (&at, &places), &why);
         let name = if in_corner(&at, &Sizes { of, own, round }) { CORNER_TABLE } else { noun };
         self.surround_as(name, new, if flush { wall } else { AtWall::No }, deep + 1);
     }
@@ -542,8 +546,8 @@ impl<'a> Plan<'a> {
             })
             .collect();
         let size = part.size.unwrap_or_default();
-        let on_top = places.iter().filter(|slot| slot.level == Level::Top);
-        self.loads.extend(on_top.map(|slot| (thing, Taken::by(slot, size))));
+        let above = places.iter().filter(|slot| matches!(slot.level, Level::Top | Level::Above(_)));
+        self.loads.extend(above.map(|slot| (thing, Taken::by(slot, size))));
         let all = fixed.join(" and ");
         let text =
             if of.count > 1 { format!("assert forall i in 0..{}: {all};", of.count) } else { format!("assert {all};") };
@@ -572,7 +576,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Names the group by the predicate of the library, where there is one of each.
-    pub(super) fn group(&mut self, thing: usize, new: usize, at: &Where, why: &str) {
+    pub(super) fn group(&mut self, thing: usize, new: usize, (at, places): (&Where, &[Slot]), why: &str) {
         let (of, part) = (&self.draft.things[thing], &self.draft.things[new]);
         if of.count > 1 {
             return;
@@ -582,8 +586,9 @@ impl<'a> Plan<'a> {
         let call = match (anchor.as_str(), kind.as_str(), at) {
             // At an oval table chairs look square to its edge, not to its sides.
             ("table", "chair", Where::Around(..))
-                if !stand::round(&of.category, &of.look.features)
-                    || of.size.is_some_and(|s| (s[0] - s[2]).abs() < 0.01) =>
+                if is_balanced(places)
+                    && (!stand::round(&of.category, &of.look.features)
+                        || of.size.is_some_and(|s| (s[0] - s[2]).abs() < 0.01)) =>
             {
                 "diningSet"
             }
@@ -595,6 +600,13 @@ impl<'a> Plan<'a> {
         let text = format!("assert {call}({}, {});", of.name, part.name);
         self.say(text, why);
     }
+}
+
+/// Whether seats stand on all sides of their table alike, as `balanced` of the library says: not if a bench has one side.
+fn is_balanced(places: &[Slot]) -> bool {
+    let half = places.len().saturating_sub(1).div_ceil(2);
+    let ends: [fn(&Slot) -> f64; 4] = [|s| s.x, |s| -s.x, |s| s.z, |s| -s.z];
+    ends.iter().all(|side| places.iter().filter(|slot| side(slot) >= -0.05).count() >= half)
 }
 
 /// Whether a thing is there because so many people are said to sit at another.

@@ -164,20 +164,32 @@ pub fn row(n: usize, seat: f64) -> f64 {
     n as f64 * (seat.max(0.4) + ELBOWS) - BEYOND + 1e-6
 }
 
-/// What is taken on one level around a thing: centre, half extents.
+/// What is taken on one level around a thing: centre, half extents, height.
 #[derive(Clone, Copy, Debug)]
 pub struct Taken {
     level: Level,
     centre: [f64; 2],
     half: [f64; 2],
+    height: f64,
 }
+
+/// Between what stands on a sideboard and the picture above it (metres).
+const BELOW_PICTURE: f64 = 0.05;
 
 impl Taken {
     /// By a part at a place.
     pub fn by(slot: &Slot, own: [f64; 3]) -> Self {
         let (sin, cos) = slot.yaw.to_radians().sin_cos();
         let half = [(own[0] * cos).abs() + (own[2] * sin).abs(), (own[0] * sin).abs() + (own[2] * cos).abs()];
-        Self { level: slot.level, centre: [slot.x, slot.z], half: half.map(|v| v / 2.0) }
+        Self { level: slot.level, centre: [slot.x, slot.z], half: half.map(|v| v / 2.0), height: own[1] }
+    }
+
+    /// Raises what hangs above a thing of a height over this, if it stands on top there.
+    pub fn raise(&self, slot: &mut Slot, own: [f64; 3], surface: f64) {
+        let Level::Above(y) = slot.level else { return };
+        if self.level == Level::Top && self.overlaps(&Self::by(slot, own)) {
+            slot.level = Level::Above(y.max(surface + self.height + BELOW_PICTURE));
+        }
     }
 
     /// Whether two are in each other's way.
@@ -186,7 +198,16 @@ impl Taken {
             (Level::At(a), Level::At(b)) => (a - b).abs() < 0.02,
             (a, b) => std::mem::discriminant(&a) == std::mem::discriminant(&b),
         };
-        level && (0..2).all(|k| (self.centre[k] - other.centre[k]).abs() < self.half[k] + other.half[k] + 0.005)
+        level && self.overlaps(other)
+    }
+
+    /// Whether what stands on a top reaches what hangs above it.
+    pub fn reaches(&self, hung: &Self, surface: f64) -> bool {
+        matches!(hung.level, Level::Above(y) if y < surface + self.height + BELOW_PICTURE / 2.0) && self.overlaps(hung)
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        (0..2).all(|k| (self.centre[k] - other.centre[k]).abs() < self.half[k] + other.half[k] + 0.005)
     }
 }
 

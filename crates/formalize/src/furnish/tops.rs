@@ -90,7 +90,6 @@ pub fn settle(plan: &mut Plan) {
     let placed = plan.small.iter().filter(|at| plan.claimed.contains(at));
     let names: Vec<String> = placed.map(|at| plan.draft.things[*at].name.clone()).collect();
     let is_about = |text: &str| words(text).iter().any(|word| names.iter().any(|name| name == word));
-    let is_default = |text: &str| text.contains("onFloor(") || text.contains("againstWall(");
     plan.draft
         .statements
         .retain(|s| matches!(s.source, ThingOrigin::Stated(_)) || !is_default(&s.text) || !is_about(&s.text));
@@ -131,8 +130,12 @@ fn is_loose(plan: &Plan, thing: &DraftThing) -> bool {
     let about = plan.draft.statements.iter().filter(|s| mentions(&s.text, &thing.name));
     about.into_iter().all(|s| {
         let inferred = !matches!(s.source, ThingOrigin::Stated(_));
-        is_in_room(&s.text) || inferred && (s.text.contains("onFloor(") || s.text.contains("againstWall("))
+        is_in_room(&s.text) || inferred && is_default(&s.text)
     })
+}
+
+fn is_default(text: &str) -> bool {
+    ["onFloor(", "againstWall(", "restsOn("].iter().any(|call| text.contains(call))
 }
 
 fn is_in_room(text: &str) -> bool {
@@ -170,7 +173,7 @@ fn stands(plan: &Plan, thing: &DraftThing) -> bool {
 /// Places for so many on a top, one after the other, the best first.
 fn places(plan: &Plan, of: usize, own: [f64; 3], noun: &str, count: usize) -> Option<Vec<Slot>> {
     let carrier = &plan.draft.things[of];
-    let [w, _, d] = carrier.size?;
+    let [w, height, d] = carrier.size?;
     let group = stand::group(&carrier.category);
     let soft = matches!(group, Group::Seat | Group::Bed);
     let part = match () {
@@ -195,17 +198,22 @@ fn places(plan: &Plan, of: usize, own: [f64; 3], noun: &str, count: usize) -> Op
     let far = |[x, z]: [f64; 2]| (x.abs() - wanted[0]).abs() + 2.0 * (z - wanted[1]).abs();
     tries.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
     let mut taken: Vec<Taken> = plan.loads.iter().filter(|(on, _)| *on == of).map(|(_, taken)| *taken).collect();
+    // So are other things on it and, for what is tall, the picture above it.
+    let is_in_the_way = |other: &Taken, slot: &Slot| {
+        let here = Taken::by(slot, own);
+        here.meets(other) || here.reaches(other, height)
+    };
     let mut out = Vec::new();
     // Several stand side by side before they stand one behind the other.
     if count > 1
         && let Some(row) = side_by_side(own, [free_w, free_d], wanted[1], count, yaw)
-        && !row.iter().any(|slot| taken.iter().any(|other| Taken::by(slot, own).meets(other)))
+        && !row.iter().any(|slot| taken.iter().any(|other| is_in_the_way(other, slot)))
     {
         return Some(row);
     }
     for [x, z] in tries {
         let slot = Slot { x, z, level: Level::Top, yaw };
-        if out.len() < count && !taken.iter().any(|other| Taken::by(&slot, own).meets(other)) {
+        if out.len() < count && !taken.iter().any(|other| is_in_the_way(other, &slot)) {
             taken.push(Taken::by(&slot, own));
             out.push(slot);
         }
