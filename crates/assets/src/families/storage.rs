@@ -494,7 +494,7 @@ pub(super) fn display_case(a: &Ask) -> BuiltModel {
     m.solid(glass.inset(pane, 0.0, 0.0).z(glass.min.z..glass.min.z + pane));
     let front = glass.z(glass.max.z - pane..glass.max.z);
     m.mesh.crisp(glass.z(glass.min.z..front.min.z), &stuff::GLASS.surface());
-    for (i, door) in front.split(0, pieces(front.size().x, 0.7, 1, MOST), 0.004).enumerate() {
+    for (i, door) in front.split(0, pieces(front.size().x, 0.5, 1, MOST), 0.004).enumerate() {
         m.leaf("door", door, if i % 2 == 0 { Hung::Left } else { Hung::Right });
         m.mesh.crisp(door, &stuff::GLASS.surface());
     }

@@ -6,7 +6,8 @@ use super::number::{Scale, scale};
 use super::room::{First, Furnished, furnish_once};
 use super::stand;
 use crate::brief::{Brief, Group};
-use crate::draft::{Draft, DraftThing};
+use crate::draft::{Draft, DraftThing, ThingOrigin};
+use scenelang_lang::nouns::with_article;
 
 /// How often a room grows in which something that matters finds no room, and by how much.
 const GROWN: usize = 5;
@@ -24,6 +25,9 @@ const IN_ROWS: usize = 6;
 const TURNED: [[f64; 2]; 4] = [[0.72, 1.22], [1.22, 0.72], [0.82, 1.1], [1.1, 0.82]];
 /// A room keeps this part of the floor that such rooms usually have.
 const LEAST: f64 = 0.6;
+/// A room of which so much more than the usual part is idle may lose so many pieces of its inventory.
+const IDLE_BY_FAR: f64 = 0.2;
+const SPARED: usize = 2;
 /// Where more than this is said of how things stand, floor is left for it, and the room keeps this part of its size.
 const FACTS: usize = 2;
 const TOLD: f64 = 0.8;
@@ -114,6 +118,7 @@ fn shrink(
     mut now: Furnished,
     furnish: &impl Fn(&mut Draft) -> Furnished,
 ) {
+    let is_home = kinds::of(&draft.rooms[at].kind).is_some_and(|kind| kind.home.is_some());
     let own = draft.things.iter().filter(|thing| thing.room == Some(at));
     let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
     let mut try_sides = |draft: &mut Draft, now: &mut Furnished, [w, d]: [f64; 2]| {
@@ -126,14 +131,21 @@ fn shrink(
         let mut smaller = empty.clone();
         let furnished = furnish(&mut smaller);
         let is_mat = |thing: &DraftThing| thing.count > 1 && stand::group(&thing.category) == Group::Flat;
-        let mut standing = draft
+        let standing = draft
             .things
             .iter()
             .filter(|thing| (is_mat(thing) || stand::on_floor(draft, thing)) && thing.category != "plant");
+        let missing = standing.filter(|thing| count(&smaller, &thing.category) < count(draft, &thing.category));
+        // Where people work, a coat rack or a second cabinet may go if a room would be idle by far for the sake of it.
+        let may_go = if now.idle > most + IDLE_BY_FAR && !is_home { SPARED } else { 0 };
+        let (minor, mut other): (Vec<_>, Vec<_>) = missing.partition(|thing| is_inventory(thing));
+        // What is on it goes with it.
+        other.retain(|thing| !minor.iter().any(|carrier| is_because_of(thing, carrier)));
         let has_all = furnished.lacking <= now.lacking
             && furnished.unreached <= now.unreached
             && furnished.tight <= now.tight
-            && standing.all(|thing| count(&smaller, &thing.category) >= count(draft, &thing.category));
+            && other.is_empty()
+            && minor.len() <= may_go;
         if has_all {
             (*now, *draft) = (furnished, smaller);
         }
@@ -177,6 +189,17 @@ fn shrink(
         let sides = if k == 0 { [w * SHRINKING, d] } else { [w, d * SHRINKING] };
         done[k] = !try_sides(&mut *draft, &mut now, sides);
     }
+}
+
+/// Whether a thing is there because such rooms have some, and not because of another thing.
+fn is_inventory(thing: &DraftThing) -> bool {
+    matches!(&thing.source, ThingOrigin::Inferred(why) if why.ends_with(" has one") || why.ends_with(" has some"))
+}
+
+/// Whether a thing is there because of another one: a box that is on a pallet.
+fn is_because_of(thing: &DraftThing, other: &DraftThing) -> bool {
+    let needs = format!("{} needs ", with_article(&other.category.replace('_', " ")));
+    matches!(&thing.source, ThingOrigin::Inferred(why) if why.starts_with(&needs))
 }
 
 /// The category of what matters most in a kind of room.
