@@ -285,8 +285,13 @@ impl<'n, 'b> It<'n, 'b> {
         out.infer(format!("prefer {};", self.named.all(self.a, test)), "at eye level");
     }
 
-    /// Rugs and cloths may lie under anything.
+    /// Rugs and cloths may lie under anything. Nothing stands on a mat that people exercise on.
     fn under_others(&self, out: &mut Stated) {
+        const EXERCISE: [&str; 6] = ["exercise", "yoga", "gym", "pilates", "judo", "gymnastics"];
+        let words = &self.item.words;
+        if words.last().is_some_and(|w| w == "mat") && words.iter().any(|w| EXERCISE.contains(&w.as_str())) {
+            return;
+        }
         const CLOTHS: [&str; 6] = ["tablecloth", "placemat", "blanket", "throw", "duvet", "quilt"];
         let cloth = self.item.words.last().is_some_and(|w| CLOTHS.contains(&w.as_str()));
         if (self.item.group == Group::Flat || cloth) && self.named.names[self.a].len() == 1 {
