@@ -43,7 +43,9 @@ pub fn compose(brief: &Brief) -> Draft {
         && ["terrace", "balcony", "patio", "garden", "courtyard", "playground", "yard", "beer garden", "roof terrace"]
             .iter()
             .any(|o| brief.rooms[0].name.ends_with(o))
-        || brief.rooms.len() == 1 && kinds::of(&brief.rooms[0].name).is_some_and(|kind| OPEN_AIR.contains(&kind.name));
+        || brief.rooms.len() == 1
+            && (crate::storey::is_outside(&brief.rooms[0].name)
+                || kinds::of(&brief.rooms[0].name).is_some_and(|kind| OPEN_AIR.contains(&kind.name)));
     let mut counts: Vec<usize> = (0..brief.things.len())
         .map(|i| if brief.things[i].opening() { brief.count(i).min(8) } else { brief.count(i) })
         .collect();

@@ -162,6 +162,12 @@ pub fn of(room: &str) -> Option<&'static FurnishingKind> {
     (0..words.len()).find_map(|from| by_name().get(&words[from..].join(" ")).copied())
 }
 
+/// The kind that is called so.
+pub fn named(room: &str) -> Option<&'static FurnishingKind> {
+    let words: Vec<String> = room.split_whitespace().map(one).collect();
+    by_name().get(&words.join(" ")).copied()
+}
+
 /// All kinds by their names in the singular; of two kinds with the same name the first.
 fn by_name() -> &'static HashMap<String, &'static FurnishingKind> {
     static NAMES: OnceLock<HashMap<String, &'static FurnishingKind>> = OnceLock::new();

@@ -4,7 +4,9 @@ use super::build::{Building, PULL_OUT};
 use super::floor::{Block, Floor};
 use super::groups::{self, Along, GroupPart, Where};
 use super::kinds::{FurnishingKind, PlanPlace, seats_all};
-use super::slots::{CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, in_row, slots};
+use super::slots::{
+    CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, in_row, is_beside_books, slots,
+};
 use super::{place, stand, taste, tops};
 use crate::brief::Group;
 use crate::draft::{Draft, DraftThing, OpeningKind, Statement, ThingOrigin};
@@ -424,8 +426,12 @@ impl<'a> Plan<'a> {
                 taken.iter().for_each(|other| other.raise(&mut slot, own, of[1]));
                 slot
             })
-            .filter(|slot| match slot.level {
-                Level::Above(y) => y + own[1] < height - 0.05,
+            .filter(|slot| match (slot.level, &at) {
+                (Level::Above(y), _) => y + own[1] < height - 0.05,
+                (_, Where::Board(board, ..)) => {
+                    let boards = (*board, shelf.len().saturating_sub(1));
+                    is_beside_books(&category, slot, own[0], boards, of[0])
+                }
                 _ => true,
             })
             .filter(|slot| {

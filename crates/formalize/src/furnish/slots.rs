@@ -380,6 +380,17 @@ pub fn boards(noun: &str, height: f64, width: f64) -> Vec<f64> {
     (0..=rows).map(|i| from + thick + step * i as f64).collect()
 }
 
+/// Whether a place on a board is beside the books of a bookcase so wide, which begin at the left on every other board and take
+/// at most this part of it (`bookshelf` in the families of assets).
+pub fn is_beside_books(noun: &str, slot: &Slot, own: f64, (board, rows): (usize, usize), width: f64) -> bool {
+    if !noun.ends_with("bookshelf") && !noun.ends_with("bookcase") || board >= rows {
+        return true;
+    }
+    let books = if board + 1 == rows { 0.45 } else { 0.85 };
+    let end = if board.is_multiple_of(2) { slot.x } else { -slot.x };
+    end - own / 2.0 >= (width / 2.0 - 0.025) * (2.0 * books - 1.0) - 1e-6
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -430,6 +441,14 @@ mod tests {
                 assert!((turn - 360.0 / n as f64).abs() < 0.01, "{n} {slot:?} {next:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_globe_stands_beside_the_books() {
+        let at = |x: f64| Slot { x, z: 0.0, level: Level::At(1.6), yaw: 0.0 };
+        let fits = |x: f64, board: usize| is_beside_books("bookcase", &at(x), 0.26, (board, 6), 0.9);
+        assert!(fits(-0.2, 5) && !fits(0.2, 5) && !fits(-0.2, 3) && fits(0.2, 6));
+        assert!(is_beside_books("shelf", &at(0.2), 0.26, (5, 6), 0.9));
     }
 
     #[test]

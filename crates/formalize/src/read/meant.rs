@@ -1,6 +1,6 @@
 //! What people mean who name a thing by its use or as a whole: a wall of books is bookshelves, an audience is its seats.
 
-use super::lexicon::{get, plural};
+use super::lexicon::{Class, get, plural};
 use super::number;
 use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
@@ -347,19 +347,23 @@ pub(super) fn whose(tokens: &mut Vec<Token>, i: usize) -> bool {
 }
 
 /// "An office with four teams of four and a kitchenette": for sixteen people, with a kitchenette. "A laboratory with eight
-/// workplaces": for eight people.
+/// workplaces", "a classroom with twenty pupils": for so many people.
 pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
     const MOST: f64 = 60.0;
     const PLACES: [&str; 2] = ["workplaces", "workspaces"];
     if !matches!(word(tokens, i), "with" | "for" | "has") {
         return false;
     }
+    let lexicon = get();
+    // "A classroom with twenty pupils", not a picture of two people.
+    let room = if i > 0 { word(tokens, i - 1) } else { "" };
+    let is_room = word(tokens, i) == "with" && (room.ends_with("room") || lexicon.room(room).is_some());
     let counted = |from: usize| number::count(tokens.get(from..).unwrap_or_default());
     let Some((n, used)) = counted(i + 1) else { return false };
     let of = i + 1 + used;
     let (people, end) = match (word(tokens, of), word(tokens, of + 1), counted(of + 2)) {
         ("teams", "of", Some((each, more))) => (n * each, of + 2 + more),
-        (places, ..) if PLACES.contains(&places) => (n, of + 1),
+        (places, ..) if PLACES.contains(&places) || is_room && lexicon.is(places, Class::Person) => (n, of + 1),
         ("work", "places" | "spaces", _) => (n, of + 2),
         _ => return false,
     };

@@ -98,6 +98,7 @@ const MOST_WORDS: usize = 12_000;
 pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
+    named::titled(&mut tokens);
     named::whole(&mut tokens);
     let answers = talk::turns(&mut tokens);
     owner::places(&mut tokens);
