@@ -12,6 +12,8 @@ use crate::furnish::{GATE, kinds};
 use crate::names::{GivenNames, identifier};
 use crate::sizes::SILL;
 
+/// Words for materials that are also shades of a colour.
+const MATERIALS_AND_SHADES: [&str; 3] = ["brick", "slate", "steel"];
 /// Kinds of rooms that have no ceiling.
 const OPEN_AIR: [&str; 3] = ["balcony", "terrace", "garden"];
 
@@ -227,8 +229,11 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
     }
 }
 
+/// A finish. "Brick" alone is a material, and a shade before a colour.
 fn surface(look: &Look) -> Surface {
-    Surface { color: look.color.clone(), material: look.material.clone() }
+    let is_material = |word: &&String| MATERIALS_AND_SHADES.contains(&word.as_str());
+    let material = look.material.clone().or_else(|| look.features.iter().find(is_material).cloned());
+    Surface { color: look.color.clone(), material }
 }
 
 /// An even polygon with a side at the front, within a width and a depth.

@@ -13,6 +13,7 @@ mod account;
 mod chunk;
 mod clause;
 mod counts;
+mod finishes;
 pub(crate) mod lexicon;
 mod meant;
 mod measure;
@@ -98,6 +99,7 @@ const MOST_WORDS: usize = 12_000;
 pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
+    finishes::plain(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);
     let answers = talk::turns(&mut tokens);

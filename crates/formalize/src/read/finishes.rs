@@ -1,0 +1,155 @@
+//! What walls and floors look like, said among the things of a room: "a bedroom with blue walls and a bed" becomes "a bedroom
+//! with a bed. The walls are blue". Likewise "in a modern style": "a modern bedroom".
+
+use super::lexicon::{LookWord, get, singular};
+use super::paraphrase::word;
+use super::token::{Token, WordKind};
+use std::ops::Range;
+
+/// How a finish is treated, which changes neither its colour nor its material.
+const TREATED: [&str; 9] = ["exposed", "bare", "polished", "painted", "plain", "raw", "rough", "smooth", "real"];
+
+/// A finish among the things of a list: "and a dark oak floor".
+struct Finish {
+    /// What comes before it: "with", "has", a comma, "and".
+    before: Range<usize>,
+    /// The whole phrase.
+    phrase: Range<usize>,
+    looks: Range<usize>,
+    noun: usize,
+}
+
+/// Moves finishes into sentences of their own, and styles before the room.
+pub fn plain(tokens: &mut Vec<Token>) {
+    let mut i = 0;
+    while i < tokens.len() {
+        if style(tokens, i) {
+            continue;
+        }
+        match finish(tokens, i).filter(|_| rooms(&tokens[sentence(tokens, i)]) <= 1) {
+            Some(finish) => move_out(tokens, &finish),
+            None => i += 1,
+        }
+    }
+}
+
+fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
+    let is_comma = |i: usize| tokens.get(i).is_some_and(|t| t.kind == WordKind::Sign(','));
+    let start = match word(tokens, i) {
+        "with" | "has" | "have" | "and" => i + 1,
+        _ if is_comma(i) && word(tokens, i + 1) == "and" => i + 2,
+        _ if is_comma(i) => i + 1,
+        _ => return None,
+    };
+    let from = start + usize::from(matches!(word(tokens, start), "a" | "an" | "the"));
+    let from = from + usize::from(TREATED.contains(&word(tokens, from)));
+    let looks = |from: usize| {
+        let is_look = |t: &&Token| {
+            let look = get().look(&t.text);
+            t.word() && matches!(look, Some(LookWord::Color | LookWord::Shade | LookWord::Material))
+        };
+        from..from + tokens.iter().skip(from).take_while(is_look).count()
+    };
+    let is_surface = |i: usize| matches!(word(tokens, i), "walls" | "floor" | "floors" | "flooring" | "floorboards");
+    let (looks, noun, end) = if is_surface(from) {
+        let linked = match (word(tokens, from + 1), word(tokens, from + 2)) {
+            ("made", "of") => from + 3,
+            ("painted" | "in" | "of", _) => from + 2,
+            _ => return None,
+        };
+        let looks = looks(linked);
+        (looks.clone(), from, looks.end)
+    } else {
+        let looks = looks(from);
+        (looks.clone(), looks.end, looks.end + 1)
+    };
+    let ends = tokens.get(end).is_none_or(|t| !t.word() || t.is("and") || t.is("with"));
+    let is_one = !looks.is_empty() && is_surface(noun) && ends;
+    is_one.then_some(Finish { before: i..start, phrase: start..end, looks, noun })
+}
+
+/// Takes a finish out of its list, and adds a sentence that says it after the one that it was in.
+fn move_out(tokens: &mut Vec<Token>, finish: &Finish) {
+    let Finish { before, phrase, looks, noun } = finish;
+    let end = sentence(tokens, phrase.start).end;
+    let like = tokens[*noun].clone();
+    let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..like.clone() };
+    let (surface, verb) = if like.is("walls") { ("walls", "are") } else { ("floor", "is") };
+    let mut said = vec![new(WordKind::Sign('.'), ".")];
+    said.extend(["the", surface, verb].map(|text| new(WordKind::Word, text)));
+    // "Exposed brick" is brick.
+    let from = looks.start - usize::from(TREATED.contains(&word(tokens, looks.start - 1)));
+    said.extend(tokens[looks.clone()].iter().cloned());
+    let first = said.len() - looks.len();
+    said[first].at.start = tokens[from].at.start;
+    tokens.splice(end..end, said);
+    let goes_on = |i: usize| tokens.get(i).is_some_and(|t| t.kind == WordKind::Sign(',') || t.is("and"));
+    let first = matches!(word(tokens, before.start), "with" | "has" | "have");
+    let after = (phrase.end..end).take_while(|i| goes_on(*i)).count();
+    match first && after > 0 {
+        true => drop(tokens.drain(phrase.start..phrase.end + after)),
+        false => drop(tokens.drain(before.start..phrase.end)),
+    }
+}
+
+/// "In a modern style" at the end of what is said of a room: its first word.
+fn style(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let from = i + 1 + usize::from(matches!(word(tokens, i + 1), "a" | "an" | "the"));
+    let is_look = |text: &str| get().look(text) == Some(LookWord::Feature);
+    let sentence = sentence(tokens, i);
+    let begins = matches!(word(tokens, sentence.start), "a" | "an" | "the");
+    if word(tokens, i) != "in" || word(tokens, from + 1) != "style" || !is_look(word(tokens, from)) || !begins {
+        return false;
+    }
+    let mut look = tokens[from].clone();
+    look.at = tokens[i].at.start..tokens[from + 1].at.end;
+    tokens.drain(i..from + 2);
+    tokens.insert(sentence.start + 1, look);
+    true
+}
+
+/// The sentence around a token, without what ends it.
+fn sentence(tokens: &[Token], i: usize) -> Range<usize> {
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
+    let start = tokens[..i].iter().rposition(ends).map_or(0, |end| end + 1);
+    let end = tokens[i..].iter().position(ends).map_or(tokens.len(), |end| i + end);
+    start..end
+}
+
+/// How many rooms a sentence names.
+fn rooms(sentence: &[Token]) -> usize {
+    let is_room = |t: &&Token| t.word() && get().room(&singular(&t.text)).is_some();
+    sentence.iter().filter(is_room).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[test]
+    fn finishes_are_said_of_the_room() {
+        for (text, becomes) in [
+            ("a bedroom with blue walls.", "a bedroom . the walls are blue ."),
+            ("a bedroom with blue walls and a bed", "a bedroom with a bed . the walls are blue"),
+            (
+                "a bedroom with a bed, light blue walls and a dark oak floor. a desk.",
+                "a bedroom with a bed . the floor is dark oak . the walls are light blue . a desk .",
+            ),
+            ("the office has a desk and concrete floors.", "the office has a desk . the floor is concrete ."),
+            ("a kitchen with walls painted green, and a table", "a kitchen with a table . the walls are green"),
+            ("a bedroom in a modern style with a bed.", "a modern bedroom with a bed ."),
+            ("a loft with exposed brick walls.", "a loft . the walls are brick ."),
+            // Not of a room, not of all its walls, or of which room?
+            ("a picture on the white walls.", "a picture on the white walls ."),
+            ("a bedroom with a blue wall and a bed.", "a bedroom with a blue wall and a bed ."),
+            ("a kitchen with white walls and a bathroom.", "a kitchen with white walls and a bathroom ."),
+            ("the walls are white and the floor is oak.", "the walls are white and the floor is oak ."),
+        ] {
+            let mut tokens = tokens(text, 100).0;
+            plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
