@@ -17,7 +17,8 @@ const FORMAT: &str = "scenelang.solution/1";
 const NAMED: usize = 5;
 
 /// For people: what fails in each layout, where it is, what is in the way, what is still free if that was looked for.
-pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String {
+/// `locked`: some objects had to stay where they were.
+pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>, locked: bool) -> String {
     let mut out = String::new();
     for (found, file) in solved.all().zip(files) {
         out += &report::human(&found.checked, Human { color: color(), all: false });
@@ -36,7 +37,11 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>) -> String
             n => format!(" after {n} rounds"),
         };
         out += &format!("{} written{rounds}{end}\n", plain::line(&file));
-        out += &in_the_way(found);
+        let blamed = in_the_way(found);
+        if locked && !blamed.is_empty() {
+            out += "locked objects were not moved; unlocking some of them may be enough\n";
+        }
+        out += &blamed;
     }
     out += &still_free(&solved.first);
     if let Some(wanted) = wanted.filter(|wanted| *wanted > files.len()) {

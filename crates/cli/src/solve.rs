@@ -110,7 +110,10 @@ pub fn run(args: &Solve) -> u8 {
     match args.format {
         Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),
         Plain::Text => {
-            print!("{}", solution::text(&solved, &files, request.alternatives));
+            print!(
+                "{}",
+                solution::text(&solved, &files, request.alternatives, !args.lock.is_empty() || !args.only.is_empty())
+            );
             summary(model.as_ref(), solved.advice.as_ref());
         }
     }

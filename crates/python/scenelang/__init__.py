@@ -468,16 +468,22 @@ def solve(
 
 
 def repair(
-    program: Source, layout: Placed | None = None, *, constraint: str | None = None, time: float | None = None
+    program: Source,
+    layout: Placed | None = None,
+    *,
+    constraint: str | None = None,
+    lock: Sequence[str] = (),
+    time: float | None = None,
 ) -> list[Repair]:
     """Ways to repair a layout, the best first: smallest moves, else a number relaxed, a preference given up.
 
-    `constraint` is the id of the one that is to hold (as in reports); without it all that must hold is to. An empty list means
+    `constraint` is the id of the one that is to hold (as in reports); without it all that must hold is to. Objects and whole
+    arrays named in `lock` stay where they are. An empty list means
     that nothing fails, or that no way was found, which does not prove that there is none.
     """
     program = _program(program)
     placed = _layout(program, layout)
-    ways = json.loads(_native.repair(program._native, _pair(placed), constraint=constraint, time=time))
+    ways = json.loads(_native.repair(program._native, _pair(placed), constraint=constraint, lock=list(lock), time=time))
     return [
         Repair(
             way["how"],

@@ -134,12 +134,13 @@ fn in_the_way(found: &JudgedLayout) -> Vec<Value> {
 
 /// Ways to repair a layout.
 #[pyfunction]
-#[pyo3(signature = (program, layout, *, constraint, time))]
+#[pyo3(signature = (program, layout, *, constraint, lock, time))]
 pub fn repair(
     py: Python<'_>,
     program: &Program,
     layout: (String, String),
     constraint: Option<String>,
+    lock: Vec<String>,
     time: Option<f64>,
 ) -> PyResult<String> {
     let held = &*program.held;
@@ -159,6 +160,10 @@ pub fn repair(
             None => Which::All,
             Some(id) => Which::Rows(rows(&checked, &held.name, id).map_err(sentence)?),
         };
+        let locked = match Hold::These(&lock).objects(program, Some(placed)) {
+            Ok(locked) => locked,
+            Err(finding) => return Err(sentence(finding.message)),
+        };
         let files = held.files();
         let source = Text {
             name: &held.name,
@@ -168,7 +173,7 @@ pub fn repair(
             sources: &checked.sources,
         };
         let damaged = Damaged { program, layout: placed, text: Some(source) };
-        let options = RepairOptions { judge, time, stop: stop.clone(), ..RepairOptions::default() };
+        let options = RepairOptions { judge, time, locked, stop: stop.clone(), ..RepairOptions::default() };
         let found = look(&damaged, &which, &options)
             .map_err(|Unjudged| sentence(format!("{name} cannot be checked completely; `check` says why")))?;
         let told = AlternativesReport { checked: &checked, program, name };

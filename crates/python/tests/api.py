@@ -109,6 +109,10 @@ def repaired(solution):
     assert all(sl.check(way.program_text, way.layout).ok for way in numbers)
     failing = report.violations[0]["id"]
     assert sl.repair(ROOM, bad, constraint=failing)
+    moved = {move["object"] for way in ways for move in way.moves}
+    locked = sl.repair(ROOM, bad, lock=sorted(moved))
+    assert not any(move["object"] in moved for way in locked for move in way.moves)
+    raises(sl.SceneError, lambda: sl.repair(ROOM, bad, lock=["nothing"]))
     raises(sl.SceneError, lambda: sl.repair(ROOM, bad, constraint="program.scene:99:1"))
 
 

@@ -172,10 +172,12 @@ pub struct Repair {
     file: String,
     constraint: Option<String>,
     apply: Option<u16>,
+    #[serde(default)]
+    lock: Vec<String>,
 }
 
 /// The smallest changes that repair a layout, and one of them made.
-pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> Answered {
+pub fn repair(call: &Call<'_>, Repair { file, constraint, apply, lock }: Repair) -> Answered {
     let path = layout_of(&call.workspace.scene_file(&file)?);
     let files = call.workspace.files(&path);
     let old = files.text(&path).map_err(|e| format!("{e}; `solve` makes a layout"))?;
@@ -195,10 +197,11 @@ pub fn repair(call: &Call<'_>, Repair { file, constraint, apply }: Repair) -> An
         None => Which::All,
         Some(asked) => Which::Rows(rows(&checked, &main, asked)?),
     };
+    let locked = Hold::These(&lock).objects(program, Some(layout)).map_err(|finding| finding.message)?;
     let compile = scenelang_lang::Options::default();
     let text = Text { name: &main, path: &scene, compile, loader: &files, sources: &checked.sources };
     let damaged = Damaged { program, layout, text: Some(text) };
-    let options = RepairOptions { judge: judging.options, stop: call.stop.clone(), ..RepairOptions::default() };
+    let options = RepairOptions { judge: judging.options, stop: call.stop.clone(), locked, ..RepairOptions::default() };
     let found = look(&damaged, &which, &options)
         .map_err(|Unjudged| format!("{name} cannot be checked completely; `scenelang check` says why"))?;
     if call.stop.is_set() {

@@ -150,6 +150,7 @@ pub const TOOLS: &[Spec] = &[
             FILE,
             may("constraint", Kind::Text, "repair only this: a line of the program, or an id that check gives"),
             may("apply", Kind::Whole, "apply the repair with this number"),
+            may("lock", Kind::Texts, "objects or whole arrays that stay where they are"),
         ],
         makes: true,
         run: |call, args| making::repair(call, read(args)?),

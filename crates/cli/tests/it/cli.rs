@@ -224,6 +224,8 @@ fn what_is_locked_stays_and_what_may_move_does() {
     let said: Value = serde_json::from_str(&ended.stdout).unwrap();
     assert_eq!(said["end"], "exhausted", "with everything locked there is nothing to search");
     assert_eq!(places("next.json"), before);
+    let ended = run(&["--lock", "box", "post"]);
+    assert!(ended.stdout.contains("unlocking some of them may be enough"), "{}", ended.stdout);
     let ended = run(&["--lock", "boks"]);
     assert_eq!(ended.code, 2, "{}", ended.stdout);
     assert!(ended.stderr.contains("no object `boks`"), "{}", ended.stderr);

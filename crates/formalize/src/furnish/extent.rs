@@ -26,7 +26,7 @@ const TURNED: [[f64; 2]; 4] = [[0.72, 1.22], [1.22, 0.72], [0.82, 1.1], [1.1, 0.
 /// A room keeps this part of the floor that such rooms usually have.
 const LEAST: f64 = 0.6;
 /// A room of which so much more than the usual part is idle may lose so many pieces of its inventory.
-const IDLE_BY_FAR: f64 = 0.2;
+const IDLE_BY_FAR: f64 = 0.26;
 const SPARED: usize = 2;
 /// Where more than this is said of how things stand, floor is left for it, and the room keeps this part of its size.
 const FACTS: usize = 2;

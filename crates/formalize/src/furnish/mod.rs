@@ -56,6 +56,8 @@ const ACROSS: f64 = 4.5;
 const LONGEST: f64 = 8.4;
 /// So many stand in a row at least, where nobody says how many.
 const IN_A_ROW: usize = 3;
+/// The same of the shelves along an aisle of a supermarket.
+const IN_AN_AISLE: usize = 8;
 
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
@@ -134,7 +136,7 @@ pub fn refine(brief: &mut Brief) {
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
         let n = match rows(brief, at) {
-            Some(rows) => Some(usual.unwrap_or(0).div_ceil(rows).max(IN_A_ROW) * rows),
+            Some(rows) => Some(usual.unwrap_or(0).div_ceil(rows).max(in_a_row(brief, at)) * rows),
             None => usual,
         };
         if let Some(n) = n {
@@ -244,6 +246,14 @@ fn stools_at_counter(brief: &mut Brief) {
             brief.things[at].last = 2;
         }
     }
+}
+
+/// How many are in a row at least.
+fn in_a_row(brief: &Brief, at: usize) -> usize {
+    let thing = &brief.things[at];
+    let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
+    let is_aisle = thing.group == Group::Storage && kind.is_some_and(|kind| kind.dress == "groceries");
+    if is_aisle { IN_AN_AISLE } else { IN_A_ROW }
 }
 
 /// In how many rows things stand of which nobody says how many there are: "six rows of racks".

@@ -1,4 +1,5 @@
-//! Many bookshelves stand as in libraries: in double rows, back to back, with aisles between them.
+//! Many bookshelves stand as in libraries: in double rows, back to back, with aisles between them. Shelves and racks of which
+//! the request gives the number of rows stand in these as one block.
 
 use super::build::Root;
 use super::floor::{Floor, Footprint, Pose, Shape};
@@ -31,23 +32,72 @@ pub fn are_many(plan: &Plan, thing: usize) -> bool {
 /// Gives them their places. Whether there is room for all.
 pub fn stand_up(plan: &mut Plan, thing: usize) -> bool {
     let it = plan.draft.things[thing].clone();
-    let (Some(size), Some(floor)) = (it.size, plan.ground.clone()) else { return false };
-    let found = arrangements(it.count, size).into_iter().find_map(|(block, local)| {
-        let piece = Footprint { thing, at: Pose::default(), size: block, flat: false, tall: true };
-        let around = [block[0] + 2.0 * AROUND, block[1], block[2] + 2.0 * AROUND];
-        let shape = Shape { pieces: vec![piece], free: vec![(Pose::default(), around)], ..Shape::default() };
-        let places = seek::on_floor(floor.size, around, &[0.0, 90.0]).into_iter();
-        let at = seek::best(&floor, &shape, places, &|at| Some(-floor.away_from_door(at)))?;
-        Some(local.iter().map(|shelf| at.then(shelf)).collect::<Vec<_>>())
-    });
-    let Some(places) = found else { return false };
+    let Some(size) = it.size else { return false };
+    let Some(places) = places(plan, thing, arrangements(it.count, size), &[0.0, 90.0]) else { return false };
     let room = plan.room_name();
     let at = |(i, at): (usize, &Pose)| place::absolute(&format!("{}[{i}]", it.name), &room, [at.x, at.y, at.z], at.yaw);
     let each: Vec<String> = places.iter().enumerate().map(at).collect();
     plan.say(format!("assert {};", each.join(" and ")), WHY);
-    plan.take([size[0], size[1], size[2] + AISLE / 2.0], it.count, false);
+    put(plan, thing, &places)
+}
+
+/// Puts shelves where the request gives their rows. Whether it does, and there is room for all.
+pub fn in_said_rows(plan: &mut Plan, thing: usize) -> bool {
+    let it = plan.draft.things[thing].clone();
+    let is_storage = stand::group(&it.category) == Group::Storage && plan.draft.rooms[plan.room].outline.is_none();
+    let (Some(size), Some([columns, across, deep]), true) = (it.size, said_rows(plan, &it.name), is_storage) else {
+        return false;
+    };
+    let rows = it.count.div_ceil(columns as usize) as f64;
+    let (wide, far) = ((columns - 1.0) * across, (rows - 1.0) * deep);
+    let place = |i: usize| Pose {
+        x: (i as f64 % columns) * across - wide / 2.0,
+        z: far / 2.0 - (i as f64 / columns).floor() * deep,
+        ..Pose::default()
+    };
+    let block = [wide + size[0], size[1], far + size[2]];
+    let all = vec![(block, (0..it.count).map(place).collect())];
+    let Some(places) = places(plan, thing, all, &[0.0]) else {
+        // They want a larger room.
+        plan.lacking += it.count;
+        return false;
+    };
+    put(plan, thing, &places)
+}
+
+/// How many are in a row, from one to the next, and from one row to the next, if that is said of an array.
+fn said_rows(plan: &Plan, name: &str) -> Option<[f64; 3]> {
+    let at = format!(" * r + i].pos.x = {name}[0].pos.x + i * ");
+    plan.draft.statements.iter().find_map(|s| {
+        let (before, after) = s.text.split_once(&at)?;
+        let number = |text: &str| {
+            let end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+            text[..end].trim_end_matches('.').parse::<f64>().ok()
+        };
+        let columns = before.rsplit_once(&format!("{name}["))?.1.parse().ok()?;
+        let (_, deep) = after.split_once(&format!("{name}[0].pos.z - r * "))?;
+        Some([columns, number(after)?, number(deep)?])
+    })
+}
+
+/// Places on the floor for the first of some arrangements that has one, with room around it.
+fn places(plan: &Plan, thing: usize, arrangements: Vec<([f64; 3], Vec<Pose>)>, yaws: &[f64]) -> Option<Vec<Pose>> {
+    let floor = plan.ground.as_ref()?;
+    arrangements.into_iter().find_map(|(block, local)| {
+        let piece = Footprint { thing, at: Pose::default(), size: block, flat: false, tall: true };
+        let around = [block[0] + 2.0 * AROUND, block[1], block[2] + 2.0 * AROUND];
+        let shape = Shape { pieces: vec![piece], free: vec![(Pose::default(), around)], ..Shape::default() };
+        let places = seek::on_floor(floor.size, around, yaws).into_iter();
+        let at = seek::best(floor, &shape, places, &|at| Some(-floor.away_from_door(at)))?;
+        Some(local.iter().map(|shelf| at.then(shelf)).collect())
+    })
+}
+
+fn put(plan: &mut Plan, thing: usize, places: &[Pose]) -> bool {
+    let it = &plan.draft.things[thing];
+    let (Some(size), n) = (it.size, it.count) else { return false };
+    plan.take([size[0], size[1], size[2] + AISLE / 2.0], n, false);
     let seek = |_: &Floor, _: &Shape, before: &[Pose]| places.get(before.len()).copied();
-    let n = it.count;
     let root = Root { n, frames: vec![Pose::default()], wall: AtWall::No, free: Vec::new(), whole: false, seek: &seek };
     plan.place_asked(thing, &root)
 }

@@ -107,6 +107,10 @@ fn what_was_moved_is_repaired() {
     let found = client.done("repair", &json!({ "file": "room.scene" }));
     assert_eq!(found["ways"][0]["how"], "move");
     assert_eq!(fs::read_to_string(folder.path().join("room.layout.json")).unwrap(), layout(0.5));
+    // With the desk locked only the program can change.
+    let locked = client.done("repair", &json!({ "file": "room.scene", "lock": ["desk"] }));
+    assert!(locked["ways"].as_array().unwrap().iter().all(|way| way["how"] != "move"), "{locked}");
+    assert!(client.refused("repair", &json!({ "file": "room.scene", "lock": ["dask"] })).contains("no object `dask`"));
     let made = client.done("repair", &json!({ "file": "room.scene", "apply": 1 }));
     assert_eq!((&made["written"], &made["after"]["ok"]), (&json!(["room.layout.json"]), &json!(true)));
     assert!(client.refused("repair", &json!({ "file": "room.scene", "apply": 9 })).contains("no repair number 9"));
