@@ -56,8 +56,9 @@ const ACROSS: f64 = 4.5;
 const LONGEST: f64 = 8.4;
 /// So many stand in a row at least, where nobody says how many.
 const IN_A_ROW: usize = 3;
-/// The same of the shelves along an aisle of a supermarket.
-const IN_AN_AISLE: usize = 8;
+/// A row of shelves takes this part of the usual width of a room, and is of so many at most.
+const ROW: f64 = 0.75;
+const LONGEST_ROW: usize = 8;
 
 /// Gives each room of a brief the usual size of its kind, for as many people as are said, and as small or large as is
 /// said.
@@ -127,6 +128,7 @@ pub fn refine(brief: &mut Brief) {
     whom::persons(brief);
     whom::children(brief);
     whom::pupils(brief);
+    whom::student(brief);
     whom::instruments(brief);
     bedside_lamps(brief);
     named(brief);
@@ -248,12 +250,15 @@ fn stools_at_counter(brief: &mut Brief) {
     }
 }
 
-/// How many are in a row at least.
+/// How many are in a row at least: so many shelves that a row is as long as most of the room.
 fn in_a_row(brief: &Brief, at: usize) -> usize {
     let thing = &brief.things[at];
     let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
-    let is_aisle = thing.group == Group::Storage && kind.is_some_and(|kind| kind.dress == "groceries");
-    if is_aisle { IN_AN_AISLE } else { IN_A_ROW }
+    let Some(kind) = kind.filter(|_| thing.group == Group::Storage) else { return IN_A_ROW };
+    let noun = thing.name();
+    let meant = kind.means.iter().find(|(said, _)| *said == noun).map_or(noun.as_str(), |(_, noun)| noun);
+    let width = scenelang_lang::nouns::ending(meant).map_or(kind.size[0], |noun| noun.size[0]);
+    ((ROW * kind.size[0] / width).round() as usize).clamp(IN_A_ROW, LONGEST_ROW)
 }
 
 /// In how many rows things stand of which nobody says how many there are: "six rows of racks".

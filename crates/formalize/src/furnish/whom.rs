@@ -3,6 +3,7 @@
 use super::groups::{self, Where};
 use super::kinds::{self, Count, Line};
 use crate::brief::{Brief, Group, Number, Thing};
+use crate::complete::defaults::push;
 
 /// What comes before who a room is for.
 const FOR: [&str; 4] = ["for", "for a", "for an", "for the"];
@@ -81,6 +82,18 @@ pub fn instruments(brief: &mut Brief) {
         if said.is_some() {
             brief.rooms[at].people = said;
         }
+    }
+}
+
+/// A student lives where there is a desk.
+pub fn student(brief: &mut Brief) {
+    let [room] = &brief.rooms[..] else { return };
+    let is_home = kinds::of(&room.name).is_some_and(|kind| matches!(kind.name, "studio apartment" | "bedroom"));
+    let request = brief.request.to_lowercase();
+    let is_for = ["for a student", "for one student", "for students"].iter().any(|whom| request.contains(whom));
+    let has_desk = brief.things.iter().any(|thing| thing.name().ends_with("desk"));
+    if is_home && is_for && !has_desk {
+        push(brief, 0, "desk", 1, "a student needs a desk");
     }
 }
 
