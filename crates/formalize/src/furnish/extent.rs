@@ -191,7 +191,7 @@ fn shrink(
     }
 }
 
-/// Whether a thing is there because such rooms have some, and not because of another thing.
+/// Whether a thing is there because such rooms have some, and not because it goes with another thing.
 fn is_inventory(thing: &DraftThing) -> bool {
     matches!(&thing.source, ThingOrigin::Inferred(why) if why.ends_with(" has one") || why.ends_with(" has some"))
 }

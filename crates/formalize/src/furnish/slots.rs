@@ -184,7 +184,7 @@ impl Taken {
         Self { level: slot.level, centre: [slot.x, slot.z], half: half.map(|v| v / 2.0), height: own[1] }
     }
 
-    /// Raises what hangs above a thing of a height over this, if it stands on top there.
+    /// Raises what hangs above a thing, whose top is at `surface`, so that it clears what stands there on the top.
     pub fn raise(&self, slot: &mut Slot, own: [f64; 3], surface: f64) {
         let Level::Above(y) = slot.level else { return };
         if self.level == Level::Top && self.overlaps(&Self::by(slot, own)) {
@@ -380,8 +380,8 @@ pub fn boards(noun: &str, height: f64, width: f64) -> Vec<f64> {
     (0..=rows).map(|i| from + thick + step * i as f64).collect()
 }
 
-/// Whether a place on a board is beside the books of a bookcase so wide, which begin at the left on every other board and take
-/// at most this part of it (`bookshelf` in the families of assets).
+/// Whether a place on a board of a bookcase is beside its books. They begin at the left on every other board and at the right
+/// on the others (`bookshelf` in the families of assets). Of other furniture it always is.
 pub fn is_beside_books(noun: &str, slot: &Slot, own: f64, (board, rows): (usize, usize), width: f64) -> bool {
     if !noun.ends_with("bookshelf") && !noun.ends_with("bookcase") || board >= rows {
         return true;
