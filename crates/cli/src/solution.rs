@@ -4,7 +4,7 @@ use crate::check::color;
 use scenelang_base::plain;
 use scenelang_lang::program::{Constraint, ConstraintKind};
 use scenelang_solve::{End, Freedom};
-use scenelang_synth::{JudgedLayout, Solved};
+use scenelang_synth::{Hold, JudgedLayout, Solved};
 use scenelang_verify::Checked;
 use scenelang_verify::prove::{ProveOptions, WORK, prove};
 use scenelang_verify::report::{self, Human};
@@ -17,8 +17,8 @@ const FORMAT: &str = "scenelang.solution/1";
 const NAMED: usize = 5;
 
 /// For people: what fails in each layout, where it is, what is in the way, what is still free if that was looked for.
-/// `locked`: some objects had to stay where they were.
-pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>, locked: bool) -> String {
+/// `hold`: what had to stay where it was.
+pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>, hold: Hold<'_>) -> String {
     let mut out = String::new();
     for (found, file) in solved.all().zip(files) {
         out += &report::human(&found.checked, Human { color: color(), all: false });
@@ -38,7 +38,7 @@ pub fn text(solved: &Solved, files: &[PathBuf], wanted: Option<usize>, locked: b
         };
         out += &format!("{} written{rounds}{end}\n", plain::line(&file));
         let blamed = in_the_way(found);
-        if locked && !blamed.is_empty() {
+        if !matches!(hold, Hold::Nothing) && !blamed.is_empty() {
             out += "locked objects were not moved; unlocking some of them may be enough\n";
         }
         out += &blamed;

@@ -110,10 +110,7 @@ pub fn run(args: &Solve) -> u8 {
     match args.format {
         Plain::Json => println!("{}", solution::json(request.name, &solved, &files)),
         Plain::Text => {
-            print!(
-                "{}",
-                solution::text(&solved, &files, request.alternatives, !args.lock.is_empty() || !args.only.is_empty())
-            );
+            print!("{}", solution::text(&solved, &files, request.alternatives, request.hold));
             summary(model.as_ref(), solved.advice.as_ref());
         }
     }

@@ -10,10 +10,9 @@ use crate::brief::{Brief, FactKind, Group, Look, Rel, too_many};
 use crate::draft::{Draft, DraftRoom, DraftThing, Note, Opening, OpeningKind, Surface, ThingOrigin};
 use crate::furnish::{GATE, kinds};
 use crate::names::{GivenNames, identifier};
+use crate::read::lexicon::MATERIALS_AND_SHADES;
 use crate::sizes::SILL;
 
-/// Words for materials that are also shades of a colour.
-const MATERIALS_AND_SHADES: [&str; 3] = ["brick", "slate", "steel"];
 /// Kinds of rooms that have no ceiling.
 const OPEN_AIR: [&str; 3] = ["balcony", "terrace", "garden"];
 

@@ -1,6 +1,7 @@
 //! How large a room is whose size nobody gave: as its kind usually is, larger where something that matters finds no room,
 //! smaller where more of the floor is idle than in such rooms.
 
+use super::inventory::listed;
 use super::kinds;
 use super::number::{Scale, scale};
 use super::room::{First, Furnished, furnish_once};
@@ -118,7 +119,14 @@ fn shrink(
     mut now: Furnished,
     furnish: &impl Fn(&mut Draft) -> Furnished,
 ) {
-    let is_home = kinds::of(&draft.rooms[at].kind).is_some_and(|kind| kind.home.is_some());
+    let kind = kinds::of(&draft.rooms[at].kind);
+    let is_home = kind.is_some_and(|kind| kind.home.is_some());
+    let listed = kind.map(listed);
+    // Whether a thing is there because such rooms have some, and not because it goes with another thing.
+    let is_inventory = |thing: &DraftThing| match (&thing.source, &listed) {
+        (ThingOrigin::Inferred(why), Some(listed)) => why.starts_with(listed.as_str()),
+        _ => false,
+    };
     let own = draft.things.iter().filter(|thing| thing.room == Some(at));
     let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
     let mut try_sides = |draft: &mut Draft, now: &mut Furnished, [w, d]: [f64; 2]| {
@@ -189,11 +197,6 @@ fn shrink(
         let sides = if k == 0 { [w * SHRINKING, d] } else { [w, d * SHRINKING] };
         done[k] = !try_sides(&mut *draft, &mut now, sides);
     }
-}
-
-/// Whether a thing is there because such rooms have some, and not because it goes with another thing.
-fn is_inventory(thing: &DraftThing) -> bool {
-    matches!(&thing.source, ThingOrigin::Inferred(why) if why.ends_with(" has one") || why.ends_with(" has some"))
 }
 
 /// Whether a thing is there because of another one: a box that is on a pallet.

@@ -5,7 +5,7 @@ use super::build::Root;
 use super::choose::{self, Choice};
 use super::daylight::window_walls;
 use super::floor::{Floor, Pose, Shape};
-use super::kinds::{self, Count, Line, PlanPlace};
+use super::kinds::{self, Count, FurnishingKind, Line, PlanPlace};
 use super::plan::{AtWall, Plan};
 use super::rows::{ceiling, is_desk, rows};
 use super::spots::{
@@ -52,9 +52,14 @@ pub(super) const HUNG_SCREEN: f64 = 0.08;
 /// So many desks are those of a team.
 pub(super) const TEAM: usize = 2;
 
+/// How the reason begins why something of the inventory of a kind of room is there.
+pub(super) fn listed(kind: &FurnishingKind) -> String {
+    format!("{} has ", with_article(kind.name))
+}
+
 /// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.
 pub(super) fn came_along(plan: &Plan, line: &Line) -> bool {
-    let listed = format!("{} has ", with_article(plan.kind.name));
+    let listed = listed(plan.kind);
     let with_another = |t: &DraftThing| match &t.source {
         ThingOrigin::Inferred(why) => !why.starts_with(&listed),
         _ => false,
@@ -108,7 +113,7 @@ pub(super) fn inventory(plan: &mut Plan, line: &Line) {
         }
         Count::People(each) => plan.tables(line).unwrap_or((people / each).ceil() as usize),
     };
-    let why = format!("{} has {}", with_article(plan.kind.name), if n == 1 { "one" } else { "some" });
+    let why = listed(plan.kind) + if n == 1 { "one" } else { "some" };
     match &line.place {
         PlanPlace::Ceiling => ceiling(plan, line.noun, n.max(1), &why),
         PlanPlace::Edge if line.noun.ends_with("wall") => edge::house(plan, line, &why),

@@ -398,11 +398,10 @@ impl<'a> Plan<'a> {
             .is_some_and(|group| group.skip.contains(&noun) || seat && group.seated.contains(&thing));
         // One bin serves several desks, one easy chair several cribs, one basket and one dryer for several washing machines.
         let for_all = stand::is_easy(noun) || matches!(noun, "bin" | "laundry basket" | "dryer");
-        let shared = for_all && anchors > 1;
         // Goods are shown on tables, however many lie on the shelves.
         let is_shown = category.ends_with("display_table") || noun == "till";
         let closed = self.is_closed(noun) && !(seat && self.is_for_staff(part));
-        if left_out || closed || self.is_full() && !seat && !is_shown || shared {
+        if left_out || closed || self.is_full() && !seat && !is_shown || for_all && anchors > 1 {
             return;
         }
         let (mut own, at) = self.fitted(thing, part, of);
@@ -420,25 +419,19 @@ impl<'a> Plan<'a> {
         {
             own[1] = own[1].min(next - low - 0.045);
         }
-        let places: Vec<Slot> = slots(&at, &Sizes { of, own, round }, &shelf)
-            .into_iter()
-            .map(|mut slot| {
-                taken.iter().for_each(|other| other.raise(&mut slot, own, of[1]));
-                slot
-            })
-            .filter(|slot| match (slot.level, &at) {
+        let mut places = slots(&at, &Sizes { of, own, round }, &shelf);
+        for slot in &mut places {
+            taken.iter().for_each(|other| other.raise(slot, own, of[1]));
+        }
+        places.retain(|slot| {
+            let fits = match (slot.level, &at) {
                 (Level::Above(y), _) => y + own[1] < height - 0.05,
-                (_, Where::Board(board, ..)) => {
-                    let boards = (*board, shelf.len().saturating_sub(1));
-                    is_beside_books(&category, slot, own[0], boards, of[0])
-                }
+                (_, Where::Board(board, ..)) => is_beside_books(&category, slot, own[0], (*board, shelf.len()), of[0]),
                 _ => true,
-            })
-            .filter(|slot| {
-                let low = own[1] < 0.05 && slot.level == Level::Floor;
-                low || !taken.iter().any(|other| Taken::by(slot, stand::foot(noun, own)).meets(other))
-            })
-            .collect();
+            };
+            let low = own[1] < 0.05 && slot.level == Level::Floor;
+            fits && (low || !taken.iter().any(|other| Taken::by(slot, stand::foot(noun, own)).meets(other)))
+        });
         let each = places.len();
         let stands = places.iter().any(|slot| slot.level == Level::Floor) && own[1] > 0.05;
         // Where places are known, they say better whether there is room for seats that matter.

@@ -382,11 +382,12 @@ pub fn boards(noun: &str, height: f64, width: f64) -> Vec<f64> {
 
 /// Whether a place on a board of a bookcase is beside its books. They begin at the left on every other board and at the right
 /// on the others (`bookshelf` in the families of assets). Of other furniture it always is.
-pub fn is_beside_books(noun: &str, slot: &Slot, own: f64, (board, rows): (usize, usize), width: f64) -> bool {
-    if !noun.ends_with("bookshelf") && !noun.ends_with("bookcase") || board >= rows {
+pub fn is_beside_books(noun: &str, slot: &Slot, own: f64, (board, boards): (usize, usize), width: f64) -> bool {
+    // The last board is the top.
+    if !noun.ends_with("bookshelf") && !noun.ends_with("bookcase") || board + 1 >= boards {
         return true;
     }
-    let books = if board + 1 == rows { 0.45 } else { 0.85 };
+    let books = if board + 2 == boards { 0.45 } else { 0.85 };
     let end = if board.is_multiple_of(2) { slot.x } else { -slot.x };
     end - own / 2.0 >= (width / 2.0 - 0.025) * (2.0 * books - 1.0) - 1e-6
 }
@@ -446,9 +447,9 @@ mod tests {
     #[test]
     fn a_globe_stands_beside_the_books() {
         let at = |x: f64| Slot { x, z: 0.0, level: Level::At(1.6), yaw: 0.0 };
-        let fits = |x: f64, board: usize| is_beside_books("bookcase", &at(x), 0.26, (board, 6), 0.9);
+        let fits = |x: f64, board: usize| is_beside_books("bookcase", &at(x), 0.26, (board, 7), 0.9);
         assert!(fits(-0.2, 5) && !fits(0.2, 5) && !fits(-0.2, 3) && fits(0.2, 6));
-        assert!(is_beside_books("shelf", &at(0.2), 0.26, (5, 6), 0.9));
+        assert!(is_beside_books("shelf", &at(0.2), 0.26, (5, 7), 0.9));
     }
 
     #[test]

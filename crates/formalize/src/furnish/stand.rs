@@ -174,7 +174,7 @@ pub fn for_guests(noun: &str) -> bool {
 /// Whether a thing of this name could be taken for what is asked for: the same noun, one that includes it, or a synonym.
 pub fn counts_as(noun: &str, asked: &str) -> bool {
     // A teacher's desk does not count as a pupil's.
-    if noun == "teacher desk" && asked != "desk" && !asked.contains("teacher") && !asked.contains("demonstration") {
+    if noun == "teacher desk" && asked != "desk" && !asked.contains("teacher") && !are_kin(noun, asked) {
         return false;
     }
     // Nor is a counter at which one sits and looks out the one at which guests are served.

@@ -133,7 +133,7 @@ fn says_something(tokens: &[Token], i: usize, grammar: &[bool]) -> bool {
 }
 
 /// Whether a word turns what is said into something else: a negation, a comparison, an exception.
-fn turns(tokens: &[Token], i: usize) -> bool {
+pub(super) fn turns(tokens: &[Token], i: usize) -> bool {
     let text = tokens[i].text.as_str();
     let next = |n: usize| tokens.get(i + n).map_or("", |t| t.text.as_str());
     match text {

@@ -1,7 +1,8 @@
 //! What walls and floors look like, said among the things of a room: "a bedroom with blue walls and a bed" becomes "a bedroom
 //! with a bed. The walls are blue". Likewise "in a modern style": "a modern bedroom".
 
-use super::lexicon::{LookWord, get, singular};
+use super::account::turns;
+use super::lexicon::{LookWord, MATERIALS_AND_SHADES, get, singular};
 use super::paraphrase::word;
 use super::token::{Token, WordKind};
 use std::ops::Range;
@@ -26,11 +27,19 @@ pub fn plain(tokens: &mut Vec<Token>) {
         if style(tokens, i) {
             continue;
         }
-        match finish(tokens, i).filter(|_| rooms(&tokens[sentence(tokens, i)]) <= 1) {
+        match finish(tokens, i).filter(|finish| is_plain(tokens, finish)) {
             Some(finish) => move_out(tokens, &finish),
             None => i += 1,
         }
     }
+}
+
+/// Whether a sentence speaks of one room at most, says one thing of this surface, and makes no exception.
+fn is_plain(tokens: &[Token], finish: &Finish) -> bool {
+    let around = sentence(tokens, finish.noun);
+    let surface = &tokens[finish.noun].text;
+    let is_one = tokens[around.clone()].iter().filter(|t| t.text == *surface).count() == 1;
+    is_one && rooms(&tokens[around.clone()]) <= 1 && !around.into_iter().any(|i| turns(tokens, i))
 }
 
 fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
@@ -64,8 +73,13 @@ fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
         (looks.clone(), looks.end, looks.end + 1)
     };
     let ends = tokens.get(end).is_none_or(|t| !t.word() || t.is("and") || t.is("with"));
-    let is_one = !looks.is_empty() && is_surface(noun) && ends;
-    is_one.then_some(Finish { before: i..start, phrase: start..end, looks, noun })
+    // "Dark walls" have no colour that one could give them.
+    let is_look = |t: &Token| {
+        let look = get().look(&t.text);
+        matches!(look, Some(LookWord::Color | LookWord::Material)) || MATERIALS_AND_SHADES.contains(&t.text.as_str())
+    };
+    let says_how = tokens.get(looks.clone()).is_some_and(|looks| looks.iter().any(is_look));
+    (says_how && is_surface(noun) && ends).then_some(Finish { before: i..start, phrase: start..end, looks, noun })
 }
 
 /// Takes a finish out of its list, and adds a sentence that says it after the one that it was in.
@@ -94,11 +108,14 @@ fn move_out(tokens: &mut Vec<Token>, finish: &Finish) {
 
 /// "In a modern style" at the end of what is said of a room: its first word.
 fn style(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "in" {
+        return false;
+    }
     let from = i + 1 + usize::from(matches!(word(tokens, i + 1), "a" | "an" | "the"));
     let is_look = |text: &str| get().look(text) == Some(LookWord::Feature);
     let sentence = sentence(tokens, i);
     let begins = matches!(word(tokens, sentence.start), "a" | "an" | "the");
-    if word(tokens, i) != "in" || word(tokens, from + 1) != "style" || !is_look(word(tokens, from)) || !begins {
+    if word(tokens, from + 1) != "style" || !is_look(word(tokens, from)) || !begins {
         return false;
     }
     let mut look = tokens[from].clone();
@@ -142,6 +159,9 @@ mod tests {
             ("a loft with exposed brick walls.", "a loft . the walls are brick ."),
             // Not of a room, not of all its walls, or of which room?
             ("a picture on the white walls.", "a picture on the white walls ."),
+            ("a bedroom with dark walls and a bed.", "a bedroom with dark walls and a bed ."),
+            ("a bedroom with white walls and blue walls.", "a bedroom with white walls and blue walls ."),
+            ("a bedroom with white walls, except one.", "a bedroom with white walls , except one ."),
             ("a bedroom with a blue wall and a bed.", "a bedroom with a blue wall and a bed ."),
             ("a kitchen with white walls and a bathroom.", "a kitchen with white walls and a bathroom ."),
             ("the walls are white and the floor is oak.", "the walls are white and the floor is oak ."),

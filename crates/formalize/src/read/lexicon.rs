@@ -5,6 +5,9 @@ use crate::brief::{Group, Rel};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+/// Words for materials that are also shades of a colour.
+pub(crate) const MATERIALS_AND_SHADES: [&str; 3] = ["brick", "slate", "steel"];
+
 /// A word or words for how a thing looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LookWord {

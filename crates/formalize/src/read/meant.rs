@@ -363,7 +363,9 @@ pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
     let of = i + 1 + used;
     let (people, end) = match (word(tokens, of), word(tokens, of + 1), counted(of + 2)) {
         ("teams", "of", Some((each, more))) => (n * each, of + 2 + more),
-        (places, ..) if PLACES.contains(&places) || is_room && lexicon.is(places, Class::Person) => (n, of + 1),
+        (places, ..) if PLACES.contains(&places) => (n, of + 1),
+        // Not "two children's beds" or "six staff lockers".
+        (who, ..) if is_room && lexicon.is(who, Class::Person) && is_alone(tokens, of) => (n, of + 1),
         ("work", "places" | "spaces", _) => (n, of + 2),
         _ => return false,
     };
@@ -379,6 +381,11 @@ pub(super) fn teams(tokens: &mut Vec<Token>, i: usize) -> bool {
     let number = Token { kind: WordKind::Number(people), text: people.to_string(), at, owner: false, capital: false };
     tokens.insert(i + 1, number);
     true
+}
+
+/// Whether a word is the last of its noun phrase.
+fn is_alone(tokens: &[Token], i: usize) -> bool {
+    !tokens[i].owner && (ends(tokens, i + 1) || word(tokens, i + 1) == "with")
 }
 
 /// "A three-bedroom family house": the house of parents and two children.
@@ -725,6 +732,9 @@ mod tests {
             ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
             ("an office for two teams of six people", "an office for 12 people"),
             ("a room with two teams", "a room with two teams"),
+            ("a classroom with 20 pupils and a sink", "a classroom for 20 people with a sink"),
+            ("a bedroom with two children's beds", "a bedroom with two children beds"),
+            ("an office with six staff lockers", "an office with six staff lockers"),
             ("a lab with eight workplaces and a fume hood", "a lab for 8 people with a fume hood"),
             ("an office with 4 work places, a sofa and a plant", "an office for 4 people , a sofa and a plant"),
             ("a two bedroom flat with a kitchen", "a two-bedroom flat with a kitchen"),
