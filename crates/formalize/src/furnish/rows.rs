@@ -310,6 +310,9 @@ const BETWEEN_EXHIBITS: (f64, f64) = (0.9, 1.1);
 
 /// Between two that one works at from all sides (metres).
 const AROUND_CENTRAL: f64 = 1.4;
+/// So many of them stand beside each other, with this much between what belongs to them and the walls (metres).
+const BESIDE: usize = 2;
+const BESIDE_CENTRAL: f64 = 0.5;
 /// Between a stage and the first row (metres).
 const BEFORE_STAGE: f64 = 1.5;
 
@@ -431,7 +434,12 @@ fn cells(
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = aisle(noun, size[0]);
     let table = stand::group(noun) == crate::brief::Group::Table;
-    let side = if rack { BEFORE_RACKS } else { beside(table && (back - front).abs() < 0.1) };
+    let beside_each_other = !table && n <= BESIDE && is_central(plan, noun);
+    let side = match () {
+        () if rack => BEFORE_RACKS,
+        () if beside_each_other => BESIDE_CENTRAL,
+        () => beside(table && (back - front).abs() < 0.1),
+    };
     let ahead = match toward {
         true if flat => 1.3,
         true => before_rows(plan, table, d, d - side - cell_d),
@@ -463,7 +471,8 @@ fn cells(
         let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
         // As many seats on one side of the aisle as on the other.
         let columns = if aisle_of_seats > 0.0 { columns & !1 } else { columns };
-        (columns, (((free_d + between) / (cell_d + between)) as usize).max(1))
+        let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
+        (columns, if beside_each_other { 1 } else { lines })
     };
     let enough = ways.iter().find(|way| counts(**way).0 * counts(**way).1 >= n).or(ways.last());
     let (aisle, between) = *enough?;

@@ -104,6 +104,7 @@ pub fn brief(request: &str) -> Brief {
     named::whole(&mut tokens);
     let answers = talk::turns(&mut tokens);
     owner::places(&mut tokens);
+    owner::rooms(&mut tokens);
     paraphrase::plain(&mut tokens);
     open_plan::plain(&mut tokens);
     zones::plain(&mut tokens);

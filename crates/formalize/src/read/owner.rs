@@ -1,7 +1,9 @@
-//! "The bed's foot" is "the foot of the bed": places of things are read in one way only.
+//! Owners: "the bed's foot" is "the foot of the bed", and "a teenager's large room" is a large one of a teenager, so that
+//! places and rooms that belong to somebody are read in one way only.
 
 use super::lexicon::{Class, get};
 use super::token::Token;
+use crate::furnish::kinds;
 
 /// Places that a thing has.
 const PLACES: [&str; 14] = [
@@ -34,6 +36,21 @@ pub fn places(tokens: &mut Vec<Token>) {
             tokens.splice(from..to, new);
         } else {
             i += 1;
+        }
+    }
+}
+
+/// Turns "a teenager's large room" into "a large teenager's room", where that is a kind of room.
+pub fn rooms(tokens: &mut [Token]) {
+    const MOST_LOOKS: usize = 2;
+    for i in 0..tokens.len() {
+        let looks = tokens[i + 1..].iter().take_while(|t| t.word() && get().is_look(&t.text)).count();
+        let Some(room) = tokens.get(i + 1 + looks).filter(|_| tokens[i].owner && (1..=MOST_LOOKS).contains(&looks))
+        else {
+            continue;
+        };
+        if kinds::named(&format!("{} {}", tokens[i].text, room.text)).is_some() {
+            tokens[i..=i + looks].rotate_left(1);
         }
     }
 }

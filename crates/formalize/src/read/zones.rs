@@ -74,6 +74,7 @@ fn zone(line: &'static str) -> Option<Zone> {
 /// Turns "a meeting corner" into what such a corner has.
 pub fn plain(tokens: &mut Vec<Token>) {
     let is_home = tokens.iter().any(|t| HOMES.iter().any(|home| t.is(home)));
+    fronted(tokens);
     let mut i = 0;
     while i < tokens.len() {
         // A home has rooms by the names of areas, but a corner is in one of them.
@@ -99,6 +100,34 @@ pub fn plain(tokens: &mut Vec<Token>) {
             put(tokens, from, i + words + 1, &name);
         }
         i += 1;
+    }
+}
+
+/// Turns "a reading corner in a bedroom", with which a request begins, into "a bedroom with a reading corner".
+fn fronted(tokens: &mut Vec<Token>) {
+    let is_article = |t: &Token| ["a", "an", "the", "my", "our"].iter().any(|word| t.is(word));
+    let ends = |t: &Token| !t.word() || HAS.iter().chain(&LISTS).chain(&OWN).any(|word| t.is(word));
+    let Some(from) = tokens.iter().take(LONGEST).position(|t| t.is("a") || t.is("an")) else { return };
+    let placed = tokens[from..].iter().take(LONGEST + 2).position(|t| PLACES.iter().any(|place| t.is(place)));
+    let Some(zone) = placed.map(|n| from + n + 1) else { return };
+    let is_zone = (from + 1..zone).any(|i| named(tokens, i).is_some_and(|(_, to)| to == zone));
+    let is = |at: usize, words: &[&str]| {
+        words.iter().enumerate().all(|(k, word)| tokens.get(at + k).is_some_and(|t| t.is(word)))
+    };
+    // "In the corner of a bedroom".
+    let end =
+        zone + if is(zone, &["in", "the", "corner", "of"]) || is(zone, &["in", "a", "corner", "of"]) { 3 } else { 0 };
+    let leads = is(end, &["in"]) || is(end, &["of"]);
+    if !is_zone || !leads || !tokens.get(end + 1).is_some_and(is_article) {
+        return;
+    }
+    let to = tokens[end + 1..].iter().position(ends).map_or(tokens.len(), |n| end + 1 + n);
+    if to > end + 2 && to <= end + 2 + LONGEST && kind(&tokens[end + 1..to]).is_some() {
+        let mut with = tokens[end].clone();
+        "with".clone_into(&mut with.text);
+        let room = tokens[end + 1..to].to_vec();
+        let zone = tokens[from..end].to_vec();
+        tokens.splice(from..to, room.into_iter().chain([with]).chain(zone));
     }
 }
 
@@ -232,6 +261,9 @@ mod tests {
             ("a bedroom with a cozy reading nook by the window", "a bedroom with a reading chair by the window"),
             ("a classroom with a reading corner with a rug", "a classroom with a rug"),
             ("a bedroom with a desk and a play area", "a bedroom with a desk and a play mat and a toy box"),
+            ("a reading corner in my bedroom, with a lamp", "my bedroom with a reading chair , with a lamp"),
+            ("a work area in the corner of a bedroom", "a bedroom with a desk in the corner"),
+            ("a cosy reading corner in a bedroom with an armchair", "a bedroom with an armchair"),
             ("a pizzeria with an open kitchen", "a pizzeria with a kitchen counter"),
             ("a living room with a workspace", "a living room with a desk"),
             ("a hotel lobby with two seating areas", "a hotel lobby with a sofa and a loveseat"),

@@ -273,6 +273,17 @@ proptest! {
 }
 
 #[test]
+fn any_noun_may_be_the_last_word() {
+    for noun in scenelang_lang::nouns::all() {
+        let name = noun.name.replace('_', " ");
+        for text in [format!("A warehouse with a {name}"), format!("{name} {name}")] {
+            let reading = read(&text, &Options { literal: true });
+            assert!(!reading.draft.rooms.is_empty(), "{text}");
+        }
+    }
+}
+
+#[test]
 fn only_what_the_request_says_may_contradict() {
     let draft = read("A kitchen with a rug in the middle against the wall.", &Options::default()).draft;
     assert_eq!(faults(&draft), Vec::<String>::new());

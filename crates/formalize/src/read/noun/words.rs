@@ -394,17 +394,17 @@ impl Scan<'_> {
         let begun = self.begun || self.counted;
         let context = self.expects_noun() || self.listed || room || before_noun(after);
         // "With drafting tables": what they are for.
-        let next = after.first().map_or_else(String::new, |t| singular(&t.text));
-        let purpose = w.ends_with("ing") && scenelang_lang::nouns::noun(&format!("{w} {next}")).is_some();
+        let two = after.first().filter(|t| t.word()).map(|t| format!("{w} {}", singular(&t.text)));
+        let is_noun = two.is_some_and(|two| scenelang_lang::nouns::noun(&two).is_some());
+        let purpose = w.ends_with("ing") && is_noun;
         let verbal = self.nouns.is_empty() && !begun && !purpose && (w.ends_with("ing") || w.ends_with("ed"));
         if !context || verbal || w.chars().count() < 2 || self.nouns.len() > 5 || self.nouns.last().is_some_and(|n| n.1)
         {
             return ScanStep::Stop;
         }
         // "A play table": a name of the library that no table of the reader has.
-        let two = format!("{w} {next}");
         let is_look = adjective(w) && lexicon.verb(self.from(self.used)).is_none();
-        if self.nouns.is_empty() && context && !is_look && scenelang_lang::nouns::noun(&two).is_some() {
+        if self.nouns.is_empty() && context && !is_look && is_noun {
             self.name(2, plural(self.text(self.used + 1)));
             return ScanStep::Go;
         }
