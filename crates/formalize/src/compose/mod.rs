@@ -167,7 +167,7 @@ fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<DraftR
             ThingOrigin::Stated(at) if at.is_empty() => ThingOrigin::Inferred("objects need a room to stand in".into()),
             source => source.clone(),
         };
-        let sized = room.size[0].is_some() && room.size[2].is_some();
+        let sized = room.area.is_some() || room.size[0].is_some() && room.size[2].is_some();
         let [w, _, d] = sizes[i];
         let outline = room.corners.map(|n| polygon(n, w, d));
         out.push(DraftRoom {

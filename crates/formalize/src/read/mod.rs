@@ -10,6 +10,7 @@
 //! of which nothing came is in the notes. It takes time in proportion to the text.
 
 mod account;
+mod areas;
 mod chunk;
 mod clause;
 mod counts;
@@ -29,6 +30,7 @@ mod phrases;
 mod quantified;
 mod rooms;
 pub(crate) mod several;
+mod shares;
 mod taken_back;
 mod talk;
 mod token;

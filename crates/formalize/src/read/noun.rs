@@ -4,6 +4,7 @@ use super::chunk::Dims;
 use super::token::Token;
 use crate::brief::{Group, Op, Place};
 use crate::draft;
+pub(super) use ahead::room_here;
 pub use amount::{add_dims, bounded};
 use scan::Scan;
 

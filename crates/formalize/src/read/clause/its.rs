@@ -341,6 +341,11 @@ impl Reader<'_> {
             .unwrap_or_default()
     }
 
+    /// The last things of which there are more than so many.
+    pub(super) fn several_of(&self, n: usize) -> Option<usize> {
+        self.recent.iter().rev().map(|i| self.brief.whole(*i)).find(|i| self.brief.count(*i) > n)
+    }
+
     /// The things that "them" stands for.
     pub(super) fn them(&self) -> Vec<usize> {
         let many = |list: &[usize]| list.len() > 1 || list.first().is_some_and(|i| self.brief.things[*i].number.many());

@@ -497,8 +497,7 @@ impl Reader<'_> {
             .iter()
             .flat_map(|c| c.at.clone())
             .any(|t| matches!(self.tokens[t].text.as_str(), "other" | "others"));
-        let of_them = word == "them";
-        let bare = word == "ones" && np.det == Det::Number;
+        let (of_them, bare) = (word == "them", word == "ones" && np.det == Det::Number);
         let goes_on = matches!(
             self.piece(i + 1, end),
             Some(
@@ -521,7 +520,8 @@ impl Reader<'_> {
             .chain(last)
             .map(|o| self.brief.whole(*o))
             .find(|o| many(o))
-            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o) || others)))?;
+            .or_else(|| self.before.iter().copied().find(|o| many(o) && (of_them || known(o) || others)))
+            .or_else(|| self.several_of(n).filter(|_| of_them))?;
         // "one on each side": of one thing, so many for each.
         let each = |k: usize| self.np(k, end).is_some_and(|n| n.det == Det::Each);
         if each(i + 2)

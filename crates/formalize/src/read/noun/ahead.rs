@@ -56,7 +56,7 @@ pub(super) fn longest_noun(rest: &[Token]) -> Option<(String, usize)> {
 }
 
 /// Whether a room's name begins here, and its tokens.
-pub(super) fn room_here(rest: &[Token]) -> Option<usize> {
+pub(crate) fn room_here(rest: &[Token]) -> Option<usize> {
     let lexicon = get();
     let words = rest.iter().take(3).take_while(|t| t.word()).count();
     (1..=words).rev().find(|n| {
