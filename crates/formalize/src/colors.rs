@@ -33,9 +33,38 @@ pub fn known(words: &str) -> Option<String> {
     (hex || !joined.is_empty() && NAMES.split_whitespace().any(|name| name == joined)).then_some(joined)
 }
 
+/// The colour that words come nearest to: "soft yellow" is light yellow, "bright red" is red.
+pub fn nearest(words: &str) -> Option<String> {
+    const LIGHTER: [&str; 6] = ["soft", "pale", "pastel", "light", "dusty", "powder"];
+    const DARKER: [&str; 2] = ["deep", "dark"];
+    let all = words.split_whitespace().collect::<Vec<_>>();
+    let (from, base) = (0..all.len()).find_map(|from| Some((from, known(&all[from..].join(" "))?)))?;
+    let is_said = |shades: &[&str]| all[..from].iter().any(|word| shades.contains(word));
+    let shade = match () {
+        () if is_said(&LIGHTER) => "light",
+        () if is_said(&DARKER) => "dark",
+        () => "",
+    };
+    Some(known(&format!("{shade}{base}")).unwrap_or(base))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::known;
+    use super::{known, nearest};
+
+    #[test]
+    fn words_come_near_a_color() {
+        let cases = [
+            ("soft yellow", Some("lightyellow")),
+            ("bright red", Some("red")),
+            ("deep blue", Some("darkblue")),
+            ("pale teal", Some("teal")),
+            ("warm", None),
+        ];
+        for (words, expected) in cases {
+            assert_eq!(nearest(words).as_deref(), expected, "{words}");
+        }
+    }
 
     #[test]
     fn names_and_numbers() {

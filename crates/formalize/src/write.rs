@@ -165,7 +165,10 @@ impl Writer<'_> {
         for (part, surface) in [("floor", &room.floor), ("wall", &room.walls)] {
             match surface.color.as_deref().map(|color| (color, colors::known(color))) {
                 Some((_, Some(known))) => self.text(name, &format!("{part}Color"), &known),
-                Some((color, None)) => features.push(format!("{} {part}", folded(color))),
+                Some((color, None)) => {
+                    self.text(name, &format!("{part}Color"), &colors::nearest(color).unwrap_or_default());
+                    features.push(format!("{} {part}", folded(color)));
+                }
                 None => {}
             }
             if let Some(material) = &surface.material {
@@ -361,7 +364,10 @@ impl Writer<'_> {
         let mut features: Vec<String> = Vec::new();
         match look.color.as_deref().map(|color| (color, colors::known(color))) {
             Some((_, Some(known))) => self.text(name, "color", &known),
-            Some((color, None)) => features.push(color.to_owned()),
+            Some((color, None)) => {
+                self.text(name, "color", &colors::nearest(color).unwrap_or_default());
+                features.push(color.to_owned());
+            }
             None => {}
         }
         self.text(name, "material", look.material.as_deref().unwrap_or(""));

@@ -605,8 +605,12 @@ pub(super) fn in_building(tokens: &mut Vec<Token>, i: usize) -> bool {
         "office",
     ];
     let within = matches!(word(tokens, i), "in" | "of" | "at" | "inside") && matches!(word(tokens, i + 1), "a" | "an");
-    let building = word(tokens, i + 2).to_owned();
-    let goes_on = word(tokens, i + 3) == "with" || ends(tokens, i + 3);
+    // "In a small clinic".
+    let looks = tokens.iter().skip(i + 2).take_while(|t| t.word() && get().is_look(&t.text)).count();
+    let end = i + 3 + looks;
+    let building = word(tokens, end - 1).to_owned();
+    let is_said = |t: &Token| t.is("with") || t.is(":") || t.is("has") || t.is("contains");
+    let goes_on = tokens.get(end).is_some_and(is_said) || ends(tokens, end);
     if !within || !goes_on || !BUILDINGS.contains(&building.as_str()) || !matches!(word(tokens, 0), "a" | "an" | "the")
     {
         return false;
@@ -619,7 +623,7 @@ pub(super) fn in_building(tokens: &mut Vec<Token>, i: usize) -> bool {
     };
     let Some(from) = (1..i).find(is_room) else { return false };
     let words: Vec<String> = std::iter::once(building).chain((from..i).map(|at| word(tokens, at).to_owned())).collect();
-    put(tokens, from, i + 3, &words.iter().map(String::as_str).collect::<Vec<_>>());
+    put(tokens, from, end, &words.iter().map(String::as_str).collect::<Vec<_>>());
     true
 }
 

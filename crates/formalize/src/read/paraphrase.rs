@@ -68,7 +68,9 @@ pub fn plain(tokens: &mut Vec<Token>) {
         let _turned = turns.iter().any(|turn| turn(tokens, i))
             || super::areas::before_rooms(tokens, i)
             || super::taken_back::plain(tokens, i)
+            || super::contents::plain(tokens, i)
             || super::shares::plain(tokens, i)
+            || super::resumed::plain(tokens, i)
             || super::quantified::plain(tokens, i);
         i += 1;
     }

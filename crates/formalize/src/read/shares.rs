@@ -13,8 +13,8 @@ const LONGEST: usize = 4;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] =
-        [on_each_side, on_one_side, looks, of_them, the_others, gapped, middle_one];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
+        [on_each_side, on_one_side, on_the_other_side, looks, of_them, the_others, gapped, middle_one];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -320,6 +320,28 @@ fn on_one_side(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A lamp on one side and a plant on the other": on its left and on its right.
+fn on_the_other_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let one = matches!(word(tokens, i), "on" | "at") && word(tokens, i + 1) == "one" && word(tokens, i + 2) == "side";
+    if !one {
+        return false;
+    }
+    let sentence = tokens[i..].iter().position(|t| t.is(".")).map_or(tokens.len(), |n| i + n);
+    let is_other = |k: &usize| {
+        matches!(word(tokens, *k), "on" | "at") && word(tokens, k + 1) == "the" && word(tokens, k + 2) == "other"
+    };
+    let Some(other) = (i + 3..sentence.min(i + BACK)).find(is_other) else { return false };
+    let side = other + 3 + usize::from(word(tokens, other + 3) == "side");
+    // "On the other wall", "on the other side of the room".
+    if word(tokens, side) == "of" || side == other + 3 && noun(tokens, side).is_some() {
+        return false;
+    }
+    put(tokens, other, side, &["on", "its", "right"]);
+    let of = word(tokens, i + 3) == "of";
+    put(tokens, i, i + 3, if of { &["to", "the", "left"] } else { &["on", "its", "left"] });
+    true
+}
+
 fn digits(n: usize) -> String {
     n.to_string()
 }
@@ -374,6 +396,14 @@ mod tests {
             ),
             ("a table with two chairs on each long side", "a table with 4 chairs on its long sides"),
             ("a table with three chairs on one side and one on the other", "a table with 4 chairs on its long sides"),
+            (
+                "on one side of the bed stands a lamp, on the other a plant",
+                "to the left of the bed stands a lamp , on its right a plant",
+            ),
+            (
+                "a bed with a lamp on one side and a plant on the other side",
+                "a bed with a lamp on its left and a plant on its right",
+            ),
             ("two shelves, one above the other", "two shelves , one above the other"),
             ("two nightstands, one on each side of the bed", "two nightstands , one on each side of the bed"),
             ("a bed with two lamps and a room, 4 by 5 m", "a bed with two lamps and a room , 4 by 5 m"),

@@ -4,9 +4,9 @@
 use super::*;
 
 impl Reader<'_> {
-    /// "an oak desk and a matching chair": the chair has the looks of the desk, its size excepted.
+    /// "an oak desk and a matching chair": the chair has the looks of the desk, its size and shape excepted.
     pub(super) fn match_looks(&mut self, id: usize) {
-        const SIZES: [&str; 16] = [
+        const SIZES: [&str; 30] = [
             "large",
             "small",
             "big",
@@ -23,6 +23,20 @@ impl Reader<'_> {
             "compact",
             "oversized",
             "matching",
+            "single",
+            "double",
+            "twin",
+            "queen",
+            "queen-size",
+            "king",
+            "king-size",
+            "round",
+            "circular",
+            "oval",
+            "square",
+            "rectangular",
+            "l-shaped",
+            "u-shaped",
         ];
         let last = self.near.last().into_iter().chain(self.recent.iter().rev()).copied();
         let model = last.filter(|o| *o != id).find(|o| !self.brief.things[*o].opening());
@@ -158,10 +172,17 @@ impl Reader<'_> {
         // "with its back to a wall" is a relation.
         let text: Vec<&str> =
             (self.chunks[from].at.start..self.chunks[to - 1].at.end).map(|t| self.tokens[t].text.as_str()).collect();
-        if let (false, Some(item)) = (self.near.is_empty(), self.near.last()) {
+        if let Some(owner) = self.near.last().copied() {
             let feature = format!("with {}", text.join(" "));
-            self.brief.things[*item].look.features.push(feature);
+            self.brief.things[owner].look.features.push(feature);
             (i..to).for_each(|k| self.mark(k));
+            // "A bed with a headboard and a quilt": the quilt is the bed's, too.
+            let carried = self
+                .np(to + 1, end)
+                .is_some_and(|np| matches!(np.group, Some(Group::Soft | Group::Top)) && np.det == Det::Indefinite);
+            if carried && self.piece(to, end) == Some(&ChunkPiece::And) {
+                self.s.expect = Expect::With(vec![owner], Join::Usual);
+            }
         }
         to
     }
