@@ -22,7 +22,7 @@ pub fn counted(brief: &mut Brief) {
     // In a restaurant with booths half of the guests sit at tables.
     let rooms: Vec<bool> =
         brief.rooms.iter().map(|room| kinds::of(&room.name).is_some_and(kinds::has_tables)).collect();
-    let mut seats = brief.things.iter_mut().filter(|i| i.group == Group::Seat && i.part.is_none());
+    let mut seats = brief.things.iter_mut().filter(|i| i.group == Group::Seat && i.part.is_none() && !is_lain_on(i));
     if let (Some(seat), None) = (seats.next(), seats.next())
         && seat.number == Number::Plural
     {
@@ -30,6 +30,12 @@ pub fn counted(brief: &mut Brief) {
         let people = if shares { people.div_ceil(2) } else { people };
         seat.number = Number::Exactly(people.div_ceil(sit_on(seat)));
     }
+}
+
+/// Whether one lies on it: nobody sits at a table there.
+fn is_lain_on(seat: &Thing) -> bool {
+    const LAIN_ON: [&str; 6] = ["lounger", "daybed", "hammock", "chaise", "recliner", "futon"];
+    seat.words.iter().any(|word| LAIN_ON.contains(&word.as_str()))
 }
 
 /// Tables at which nobody sits with others.
@@ -47,7 +53,7 @@ pub fn seats(brief: &mut Brief) {
     let people = brief.rooms.iter().find_map(|room| room.people);
     let is = |i: &Thing, noun: &str| i.words.last().is_some_and(|w| w == noun);
     // A baby sits in a chair of its own.
-    let is_seat = |i: &Thing| i.group == Group::Seat && !is(i, "highchair") || is(i, "bench");
+    let is_seat = |i: &Thing| i.group == Group::Seat && !is(i, "highchair") && !is_lain_on(i) || is(i, "bench");
     let ruled_out = brief.absent.iter().any(|(a, _)| ["chair", "seat"].iter().any(|seat| a.contains(seat)));
     let (Some(people), false) = (people, ruled_out || brief.things.iter().any(is_seat)) else { return };
     let open = |i: &Thing| brief.rooms.get(i.room).is_none_or(|room| !room.only);

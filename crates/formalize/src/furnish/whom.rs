@@ -173,7 +173,7 @@ fn child(whom: &[&str]) -> Option<(usize, &'static str)> {
         return None;
     }
     let aged = |pair: &[&str]| pair[1].starts_with("year") && pair[0].parse::<f64>().is_ok_and(|age| age >= TEEN);
-    let grown = whom.iter().any(|word| is_teen(word)) || whom.windows(2).any(aged);
+    let grown = whom.iter().any(|word| is_teen(word) || *word == "teenage") || whom.windows(2).any(aged);
     match whom.iter().filter(|word| is_child(word) || is_teen(word)).count() {
         0 if whom.iter().any(|word| BABY.contains(word)) => Some((1, "nursery")),
         n @ 1..=MOST if grown => Some((n, "teen room")),

@@ -77,7 +77,9 @@ fn is_purpose(tokens: &[Token], i: usize) -> bool {
     if !word.word() || !(abstracts || one || word.text.ends_with("ing")) {
         return false;
     }
-    let mut before = tokens[..i].iter().rev().skip_while(|t| BEFORE.iter().any(|word| t.is(word)));
+    // "For a young family".
+    let precedes = |t: &&Token| BEFORE.iter().any(|word| t.is(word)) || lexicon.is_look(&t.text);
+    let mut before = tokens[..i].iter().rev().skip_while(precedes);
     before.next().is_some_and(|t| t.is("for"))
 }
 

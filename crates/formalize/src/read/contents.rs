@@ -189,14 +189,17 @@ fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "At the front of the classroom": at the front.
+/// "At the front of the classroom": at the front. "At the far end": at the back.
 fn end_of_room(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let far = matches!(word(tokens, i), "at" | "in") && word(tokens, i + 1) == "the" && word(tokens, i + 2) == "far";
+    if far && word(tokens, i + 3) == "end" && (ends(tokens, i + 4) || word(tokens, i + 4) == "of") {
+        put(tokens, i + 2, i + 4, &["back"]);
+    }
     let end = matches!(word(tokens, i), "at" | "in") && word(tokens, i + 1) == "the";
     let side = matches!(word(tokens, i + 2), "front" | "back" | "rear");
     let of_room = word(tokens, i + 3) == "of" && word(tokens, i + 4) == "the";
-    let name = |n: usize| (i + 5..i + 5 + n).map(|k| word(tokens, k)).collect::<Vec<_>>().join(" ");
     let room = (1..=3).find(|n| {
-        let name = name(*n);
+        let name = (i + 5..i + 5 + n).map(|k| word(tokens, k)).collect::<Vec<_>>().join(" ");
         matches!(name.as_str(), "room" | "class" | "space") || kinds::named(&name).is_some()
     });
     let Some(n) = room.filter(|_| end && side && of_room) else { return false };
@@ -234,6 +237,7 @@ mod tests {
             ("a study lined with bookcases", "a study with bookcases along the walls"),
             ("the walls are lined with shelves.", "shelves stand along the walls ."),
             ("a classroom with a desk at the front of the classroom", "a classroom with a desk at the front"),
+            ("a shop with a checkout at the far end", "a shop with a checkout at the back"),
             ("in front of the desk", "in front of the desk"),
         ] {
             let mut tokens = token::tokens(text, 100).0;

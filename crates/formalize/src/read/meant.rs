@@ -763,7 +763,7 @@ mod tests {
             ("a science lab for a school", "a science classroom"),
             ("a lab in a high school with a desk", "a science classroom with a desk"),
             ("a cafe with a counter along the windows", "a cafe with a window counter"),
-            ("a cafe with a bar and stools", "a cafe with a bar and stools"),
+            ("a cafe with a bar and stools", "a cafe with a bar and bar stools"),
             ("a small shop selling clothes", "a small clothes shop"),
             ("a store that sells old books and maps", "a book store and maps"),
             ("a shop selling everything", "a shop selling everything"),

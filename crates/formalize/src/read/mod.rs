@@ -16,6 +16,8 @@ mod clause;
 mod contents;
 mod counts;
 mod finishes;
+mod goods;
+mod homes;
 pub(crate) mod lexicon;
 mod meant;
 mod measure;
@@ -134,6 +136,9 @@ pub fn brief(request: &str) -> Brief {
             brief.remove(&reader.gone);
         }
         used[people::count(&mut brief.rooms, &tokens)].fill(true);
+        for said in homes::children(&tokens) {
+            used[said] = true;
+        }
         for said in people::each(&mut brief, &tokens) {
             used[said] = true;
         }

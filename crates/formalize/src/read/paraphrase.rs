@@ -68,6 +68,8 @@ pub fn plain(tokens: &mut Vec<Token>) {
         let _turned = turns.iter().any(|turn| turn(tokens, i))
             || super::areas::before_rooms(tokens, i)
             || super::taken_back::plain(tokens, i)
+            || super::homes::plain(tokens, i)
+            || super::goods::plain(tokens, i)
             || super::contents::plain(tokens, i)
             || super::shares::plain(tokens, i)
             || super::resumed::plain(tokens, i)

@@ -310,7 +310,7 @@ fn what_is_asked_for_stands_with_what_it_goes_with() {
         ("An office with a desk and two chairs.", "chair", "desk", 1.4),
         ("A conference room with a large table and 12 chairs.", "chair", "conference_table", 2.6),
         ("A kitchen with a dining table with four chairs.", "chair", "dining_table", 1.3),
-        ("A restaurant with a bar with six stools.", "stool", "bar", 2.0),
+        ("A restaurant with a bar with six stools.", "bar_stool", "bar", 2.0),
     ] {
         let draft = draft(request);
         let far = far(&draft, noun, from);

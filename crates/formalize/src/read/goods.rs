@@ -1,0 +1,147 @@
+//! Furniture that is named by what it keeps or by where it stands: "shoe storage" is a shoe rack, "tyres" are a stack of
+//! tires, and a bar's stools are bar stools.
+
+use super::lexicon::{get, plural, singular};
+use super::number::count;
+use super::paraphrase::{put, word};
+use super::token::{Token, WordKind};
+
+/// What is kept, and in what.
+const STORAGE: [(&[&str], &[&str]); 9] = [
+    (&["wood", "timber", "lumber"], &["a", "lumber", "rack"]),
+    (&["tool", "tools"], &["a", "tool", "cabinet"]),
+    (&["toy", "toys"], &["a", "toy", "shelf", "and", "a", "toy", "box"]),
+    (&["book", "books"], &["a", "bookshelf"]),
+    (&["shoe", "shoes"], &["a", "shoe", "rack"]),
+    (&["clothes", "clothing"], &["a", "wardrobe"]),
+    (&["bike", "bikes", "bicycle"], &["a", "bike", "rack"]),
+    (&["file", "files", "document"], &["a", "filing", "cabinet"]),
+    (&["wine"], &["a", "wine", "rack"]),
+];
+/// What precedes an amount that nobody counts.
+const AMOUNTS: [&[&str]; 6] =
+    [&["lots", "of"], &["plenty", "of"], &["a", "lot", "of"], &["enough"], &["ample"], &["some"]];
+/// A stool belongs to a bar that was named at most so many words before.
+const NEAR: usize = 5;
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    storage(tokens, i) || tires(tokens, i) || stools(tokens, i) || partners(tokens, i)
+}
+
+/// "Lots of toy storage": a toy shelf and a toy box.
+fn storage(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i + 1) != "storage" || get().noun(&singular(word(tokens, i + 2))).is_some() {
+        return false;
+    }
+    let Some((_, things)) = STORAGE.iter().find(|(kept, _)| kept.contains(&word(tokens, i))) else { return false };
+    let precedes = |amount: &&&[&str]| {
+        let from = i.checked_sub(amount.len());
+        from.is_some_and(|from| amount.iter().enumerate().all(|(k, w)| word(tokens, from + k) == *w))
+    };
+    let from = i - AMOUNTS.iter().find(precedes).map_or(0, |amount| amount.len());
+    put(tokens, from, i + 2, things);
+    true
+}
+
+/// "Tyres stacked in the corner", "a stack of winter tires": a tire stack.
+fn tires(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !matches!(word(tokens, i), "tires" | "tyres") {
+        return false;
+    }
+    let kind = i - usize::from(i > 0 && matches!(word(tokens, i - 1), "winter" | "summer" | "spare" | "old"));
+    let counted = kind.checked_sub(1).and_then(|k| count(&tokens[k..=k])).is_some();
+    let words = |n: usize| kind.checked_sub(n).map(|from| (from..kind).map(|k| word(tokens, k)).collect::<Vec<_>>());
+    let stacked = matches!(words(3).as_deref(), Some(["a", "stack" | "pile" | "set", "of"]));
+    if counted {
+        return false;
+    }
+    let from = if stacked { kind - 3 } else { kind };
+    let to = i + 1 + usize::from(matches!(word(tokens, i + 1), "stacked" | "piled"));
+    put(tokens, from, to, &["a", "tire", "stack"]);
+    true
+}
+
+/// "A bar with six stools": bar stools.
+fn stools(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let plain = matches!(word(tokens, i), "stools" | "stool") && i > 0 && word(tokens, i - 1) != "bar";
+    let bar = |k: usize| word(tokens, k) == "bar" && !matches!(word(tokens, k + 1), "stool" | "stools");
+    let said = plain && (i.saturating_sub(NEAR)..i).any(bar);
+    if said {
+        let noun = tokens[i].text.clone();
+        put(tokens, i, i + 1, &["bar", &noun]);
+    }
+    said
+}
+
+/// "Three chairs, each in front of a mirror", "three sculptures on pedestals": as many mirrors and pedestals.
+fn partners(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const CARRY: [&str; 5] = ["pedestals", "plinths", "easels", "stands", "bases"];
+    const MIRRORS: [&str; 2] = ["mirrors", "screens"];
+    let Some((n, 1)) = tokens.get(i..).and_then(count) else { return false };
+    let Some(noun) = (i + 1..i + 4).find(|k| {
+        let w = word(tokens, *k);
+        plural(w) && get().noun(&singular(w)).is_some()
+    }) else {
+        return false;
+    };
+    if n < 2.0 || n.fract() != 0.0 {
+        return false;
+    }
+    let digits = (n as usize).to_string();
+    let comma = usize::from(tokens.get(noun + 1).is_some_and(|t| t.is(",")));
+    let each = noun + 1 + comma;
+    let relation = |from: usize| match [word(tokens, from), word(tokens, from + 1), word(tokens, from + 2)] {
+        ["in", "front", "of"] => Some(from + 3),
+        ["facing" | "on" | "under" | "behind", ..] => Some(from + 1),
+        _ => None,
+    };
+    if word(tokens, each) == "each"
+        && let Some(partner) = relation(each + 1)
+        && matches!(word(tokens, partner), "a" | "an")
+    {
+        let name = (partner + 1..partner + 4).rev().find(|k| get().noun(word(tokens, *k)).is_some());
+        let many = name.map(|k| (k, scenelang_lang::nouns::plural(word(tokens, k))));
+        let shared = |k: &usize| matches!(word(tokens, *k), "window" | "door" | "pillar" | "column" | "wall" | "table");
+        let Some((name, many)) = many.filter(|(k, _)| !shared(k)) else { return false };
+        put(tokens, name, name + 1, &[&many]);
+        put(tokens, partner, partner + 1, &[&digits]);
+        tokens[partner].kind = WordKind::Number(n);
+        tokens.drain(noun + 1..=each);
+        return true;
+    }
+    let Some(partner) = relation(noun + 1) else { return false };
+    let of = word(tokens, partner);
+    let on = word(tokens, noun + 1) == "on";
+    if !(on && CARRY.contains(&of) || !on && MIRRORS.contains(&of)) {
+        return false;
+    }
+    put(tokens, partner, partner + 1, &[&digits, &of.to_owned()]);
+    tokens[partner].kind = WordKind::Number(n);
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{paraphrase, token};
+
+    #[test]
+    fn goods_are_said_plainly() {
+        for (text, becomes) in [
+            ("a playroom with lots of toy storage", "a playroom with a toy shelf and a toy box"),
+            ("a workshop with wood storage", "a workshop with a lumber rack"),
+            ("a book storage box", "a book storage box"),
+            ("tyres stacked in the corner", "a tire stack in the corner"),
+            ("a stack of winter tires", "a tire stack"),
+            ("a bar with six stools", "a bar with six bar stools"),
+            ("three chairs, each in front of a mirror", "three chairs in front of 3 mirrors"),
+            ("three sculptures on pedestals", "three sculptures on 3 pedestals"),
+            ("ten books on shelves", "ten books on shelves"),
+        ] {
+            let mut tokens = token::tokens(text, 100).0;
+            paraphrase::plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! Who lives in a home and what is in which of its rooms: "each has their own bedroom", "a bed in the bedroom and a couch in
+//! the living room", "a room for my daughter".
+
+use super::lexicon::{Class, get};
+use super::number::count;
+use super::paraphrase::{put, word};
+use super::token::{Token, WordKind};
+use super::zones::HOMES;
+use crate::furnish::kinds;
+
+/// The most words of a room's name.
+const LONGEST: usize = 3;
+/// Who has a room of their own at home.
+const CHILDREN: [&str; 10] =
+    ["daughter", "son", "boy", "girl", "child", "kid", "toddler", "daughters", "sons", "teenager"];
+/// So many share a flat where nobody says how many.
+const SHARED: &str = "three";
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 5] = [own_bedroom, in_rooms, whose, lives, own_kitchen];
+    turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// Where the name of a kind of room ends that begins here.
+fn room(tokens: &[Token], i: usize) -> Option<usize> {
+    let named = |n: &usize| {
+        let name: Vec<&str> = (i..i + n).map(|k| word(tokens, k)).collect();
+        !name.contains(&"") && kinds::named(&name.join(" ")).is_some()
+    };
+    (1..=LONGEST).rev().find(named).map(|n| i + n)
+}
+
+fn is_home(tokens: &[Token], i: usize) -> bool {
+    tokens[..i]
+        .iter()
+        .any(|t| HOMES.iter().any(|home| t.is(home)) || t.text.ends_with("-bedroom") || t.text.ends_with("-room"))
+}
+
+/// "A flat for three: each has their own bedroom": a flat with three bedrooms.
+fn own_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "each" || !is_home(tokens, i) {
+        return false;
+    }
+    const BETWEEN: usize = 7;
+    let own =
+        (i + 1..i + BETWEEN).find(|k| word(tokens, *k) == "own" && matches!(word(tokens, k + 1), "bedroom" | "room"));
+    let has = |k: usize| matches!(word(tokens, k), "has" | "have" | "gets" | "with" | "having" | "needs");
+    let Some(own) = own.filter(|own| (i + 1..*own).any(has)) else { return false };
+    let number = |k: usize| count(&tokens[k..=k]).is_some_and(|(n, _)| (2.0..=8.0).contains(&n));
+    let people = (1..i).find(|k| word(tokens, k - 1) == "for" && number(*k)).map(|k| tokens[k].clone());
+    let where_from = i - usize::from(i > 0 && word(tokens, i - 1) == "where");
+    let sign = where_from > 0 && matches!(tokens[where_from - 1].kind, WordKind::Sign(':' | ',' | ';'));
+    let from = where_from - usize::from(sign);
+    put(tokens, from, own + 2, &["with", SHARED, "bedrooms"]);
+    if let Some(people) = people {
+        tokens[from + 1] = Token { at: tokens[from + 1].at.clone(), ..people };
+    }
+    true
+}
+
+/// "A bed in the bedroom and a couch in the living room", "the bedroom has a bed, and the living room has a couch": a
+/// sentence for each room.
+fn in_rooms(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "and" {
+        return false;
+    }
+    let comma = usize::from(i > 0 && tokens[i - 1].is(","));
+    let stop = |tokens: &mut Vec<Token>, words: &[&str]| {
+        put(tokens, i - comma, i + 1, words);
+        tokens[i - comma].kind = WordKind::Sign('.');
+    };
+    // "And in the living room there is a couch", "and the living room has a couch".
+    let the = if word(tokens, i + 1) == "in" { i + 2 } else { i + 1 };
+    if word(tokens, the) == "the"
+        && let Some(end) = room(tokens, the + 1)
+    {
+        let goes_on = match word(tokens, i + 1) {
+            "in" => matches!(word(tokens, end), "there" | "stands" | "stand" | "is" | "are"),
+            _ => matches!(word(tokens, end), "has" | "contains" | "holds"),
+        };
+        if goes_on {
+            stop(tokens, &["."]);
+        }
+        return goes_on;
+    }
+    // "A bed in the bedroom and a couch in the living room".
+    let before = (1..=LONGEST).find_map(|n| {
+        let from = (i - comma).checked_sub(n)?;
+        let in_the = from >= 2 && word(tokens, from - 2) == "in" && word(tokens, from - 1) == "the";
+        (in_the && room(tokens, from) == Some(i - comma)).then_some(())
+    });
+    let starts =
+        matches!(word(tokens, i + 1), "a" | "an") || count(tokens.get(i + 1..i + 2).unwrap_or_default()).is_some();
+    let clause = tokens[i + 1..].iter().take_while(|t| t.word() && !t.is("and")).count();
+    let after = (i + 2..i + 1 + clause).find(|k| {
+        word(tokens, *k) == "in" && word(tokens, k + 1) == "the" && room(tokens, k + 2) == Some(i + 1 + clause)
+    });
+    let has_verb = |end: usize| (i + 1..end).any(|k| get().verb(&tokens[k..=k]).is_some());
+    if before.is_none() || !starts || after.is_none_or(has_verb) {
+        return false;
+    }
+    stop(tokens, &[".", "there", "is"]);
+    true
+}
+
+/// "A bedroom for my twin daughters", "a room for my teenage daughter": for twin daughters, a bedroom for a teenage daughter.
+fn whose(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let owned =
+        word(tokens, i) == "for" && matches!(word(tokens, i + 1), "my" | "our" | "his" | "her" | "their" | "the");
+    let who = (i + 2..i + 5).find(|k| CHILDREN.contains(&word(tokens, *k)));
+    let Some(who) = who.filter(|_| owned) else { return false };
+    if i > 0 && word(tokens, i - 1) == "room" && (i < 2 || matches!(word(tokens, i - 2), "a" | "the")) {
+        put(tokens, i - 1, i, &["bedroom"]);
+    }
+    let one = !tokens[who].text.ends_with('s');
+    put(tokens, i + 1, i + 2, &["a"][..usize::from(one)]);
+    true
+}
+
+/// The words that say for which child a bedroom is: its beds and its furniture follow from them.
+pub fn children(tokens: &[Token]) -> Vec<usize> {
+    let is_for = |i: &usize| word(tokens, *i) == "for" && (0..*i).any(|k| word(tokens, k).ends_with("bedroom"));
+    let Some(from) = (0..tokens.len()).find(is_for) else { return Vec::new() };
+    let who = (from + 1..from + 5).find(|k| CHILDREN.contains(&word(tokens, *k)));
+    who.map_or_else(Vec::new, |who| (from + 1..=who).collect())
+}
+
+/// "A studio where a couple sleeps and works": for a couple.
+fn lives(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const DOES: [&str; 14] = [
+        "sleep", "sleeps", "work", "works", "live", "lives", "eat", "eats", "cook", "cooks", "relax", "relaxes",
+        "study", "studies",
+    ];
+    if word(tokens, i) != "where" {
+        return false;
+    }
+    let whom = |k: usize| {
+        word(tokens, k) == "couple" || get().is(word(tokens, k), Class::Person) || word(tokens, k) == "family"
+    };
+    let Some(who) = (i + 1..i + 4).find(|k| whom(*k)) else { return false };
+    let mut end = who + 1;
+    while DOES.contains(&word(tokens, end))
+        || matches!(word(tokens, end), "and" | "can") && DOES.contains(&word(tokens, end + 1))
+    {
+        end += 1;
+    }
+    if end == who + 1 {
+        return false;
+    }
+    let works = (who..end).any(|k| word(tokens, k).starts_with("work") || word(tokens, k).starts_with("stud"));
+    let desk = works && !tokens.iter().any(|t| t.is("desk") || t.is("desks"));
+    let said: Vec<String> = (i + 1..=who).map(|k| tokens[k].text.clone()).collect();
+    let more: &[&str] = if desk { &["with", "a", "desk"] } else { &[] };
+    let said: Vec<&str> =
+        ["for"].into_iter().chain(said.iter().map(String::as_str)).chain(more.iter().copied()).collect();
+    put(tokens, i, end, &said);
+    true
+}
+
+/// "A shared kitchen", in a home: a kitchen.
+fn own_kitchen(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "shared" | "communal") && room(tokens, i + 1).is_some() && is_home(tokens, i);
+    if said {
+        let name = tokens[i + 1].text.clone();
+        put(tokens, i, i + 2, &[&name]);
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{paraphrase, token};
+
+    #[test]
+    fn homes_are_said_plainly() {
+        for (text, becomes) in [
+            ("a flat for three people: each has own bedroom", "a flat for three people with three bedrooms"),
+            ("a student flat where each person has their own room", "a student flat with three bedrooms"),
+            (
+                "a flat with a bed in the bedroom and a couch in the living room.",
+                "a flat with a bed in the bedroom . there is a couch in the living room .",
+            ),
+            (
+                "in the bedroom there is a bed, and in the living room there is a couch",
+                "in the bedroom there is a bed . in the living room there is a couch",
+            ),
+            ("the bedroom has a bed, and the kitchen has a table", "the bedroom has a bed . the kitchen has a table"),
+            ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
+            ("a bedroom for my twin daughters", "a bedroom for twin daughters"),
+            ("a studio where a couple sleeps and works", "a studio for a couple with a desk"),
+            ("a lamp on the desk and a cup on the shelf", "a lamp on the desk and a cup on the shelf"),
+        ] {
+            let mut tokens = token::tokens(text, 100).0;
+            paraphrase::plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
