@@ -18,8 +18,32 @@ const SHARED: &str = "three";
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 5] = [own_bedroom, in_rooms, whose, lives, own_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] =
+        [own_bedroom, one_bedroom, in_rooms, whose, lives, own_kitchen];
     turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "Two bedrooms, one with a double bed and one with a bunk bed", "one bedroom has a desk, the other bedroom has none": the
+/// first bedroom, and the second one.
+fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let named = |k: usize| matches!(word(tokens, k), "bedroom" | "bathroom" | "office");
+    let all = |k: &usize| matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices");
+    let Some(plural) = (0..i).rev().find(all) else { return false };
+    let one = tokens[plural].text.trim_end_matches('s').to_owned();
+    match [word(tokens, i), word(tokens, i + 1)] {
+        ["one", name] if named(i + 1) && name == one => put(tokens, i, i + 1, &["the", "first"]),
+        ["the", "other"] if named(i + 2) && word(tokens, i + 2) == one => put(tokens, i + 1, i + 2, &["second"]),
+        ["one", "with"] if i > 0 && tokens[i - 1].is(",") && plural + 2 == i => {
+            let and = (i + 2..tokens.len()).find(|k| word(tokens, *k) == "and" && word(tokens, k + 2) == "with");
+            let Some(and) = and.filter(|k| matches!(word(tokens, k + 1), "one")) else { return false };
+            for (from, to, which) in [(and, and + 3, "second"), (i - 1, i + 2, "first")] {
+                put(tokens, from, to, &[".", "the", which, &one, "has"]);
+                tokens[from].kind = WordKind::Sign('.');
+            }
+        }
+        _ => return false,
+    }
+    true
 }
 
 /// Where the name of a kind of room ends that begins here.
@@ -186,6 +210,10 @@ mod tests {
                 "in the bedroom there is a bed . in the living room there is a couch",
             ),
             ("the bedroom has a bed, and the kitchen has a table", "the bedroom has a bed . the kitchen has a table"),
+            (
+                "two bedrooms, one with a desk and one with a crib",
+                "two bedrooms . the first bedroom has a desk . the second bedroom has a crib",
+            ),
             ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
             ("a bedroom for my twin daughters", "a bedroom for twin daughters"),
             ("a studio where a couple sleeps and works", "a studio for a couple with a desk"),

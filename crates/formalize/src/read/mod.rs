@@ -39,6 +39,7 @@ mod taken_back;
 mod talk;
 mod token;
 mod unknown;
+mod which;
 mod zones;
 
 use crate::brief::{Brief, MOST_GUIDED, Room, Word};

@@ -72,6 +72,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             || super::goods::plain(tokens, i)
             || super::contents::plain(tokens, i)
             || super::shares::plain(tokens, i)
+            || super::which::plain(tokens, i)
             || super::resumed::plain(tokens, i)
             || super::quantified::plain(tokens, i);
         i += 1;

@@ -42,7 +42,7 @@ impl Rooms {
         let room = match known {
             Some(room) => room,
             // The first of them stands for all.
-            None if named + 1 < self.several[of].count && self.rooms.len() < MOST => {
+            None if named < self.several[of].count && self.rooms.len() < MOST => {
                 let room = Room { source: source.clone(), ..self.rooms[of].clone() };
                 self.add(room, Several { like: Some(of), label, ..Several::default() })
             }

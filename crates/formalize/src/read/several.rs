@@ -318,6 +318,7 @@ fn door(room: usize, beyond: usize, source: ThingOrigin) -> Thing {
 /// of things that is not said of each is divided among them.
 pub fn expand(brief: &mut Brief, several: &[Several]) {
     let mut copies: Vec<Vec<usize>> = (0..brief.rooms.len()).map(|room| vec![room]).collect();
+    let mut models: Vec<usize> = Vec::new();
     for (room, of) in several.iter().enumerate() {
         if let Some(all) = of.like {
             copies[all].push(room);
@@ -335,10 +336,15 @@ pub fn expand(brief: &mut Brief, several: &[Several]) {
             let new = Room { source: brief.rooms[room].source.clone(), ..brief.rooms[room].clone() };
             brief.rooms.push(new);
         }
-        let to = copies[room].clone();
+        let is_model = named > count;
+        let to = copies[room][usize::from(is_model)..].to_vec();
         divide(brief, room, &to);
-        for copy in &to[1..] {
+        for copy in to.iter().filter(|copy| **copy != room) {
             copy_things(brief, room, *copy);
+        }
+        if is_model {
+            copies[room].remove(0);
+            models.push(room);
         }
     }
     for (room, of) in several.iter().enumerate() {
@@ -348,6 +354,19 @@ pub fn expand(brief: &mut Brief, several: &[Several]) {
             brief.things.push(door(of, own, source.clone()));
         }
     }
+    models.into_iter().rev().for_each(|room| remove(brief, room));
+}
+
+/// Removes a room that stood for several of which each has a room of its own by now.
+fn remove(brief: &mut Brief, room: usize) {
+    let is_there = |thing: &Thing| thing.room == room || thing.beyond == Some(room);
+    let gone: Vec<usize> = (0..brief.things.len()).filter(|i| is_there(&brief.things[*i])).collect();
+    brief.remove(&gone);
+    for thing in &mut brief.things {
+        thing.room -= usize::from(thing.room > room);
+        thing.beyond = thing.beyond.map(|beyond| beyond - usize::from(beyond > room));
+    }
+    brief.rooms.remove(room);
 }
 
 /// A number of things in several rooms is that of all of them together, unless "each" is said: the first room gets its share,

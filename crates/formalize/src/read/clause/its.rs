@@ -121,6 +121,16 @@ impl Reader<'_> {
         // "a lamp and a chair placed beside it": of the chair.
         let reduced = i > 0 && self.reduced(i - 1).is_some();
         let of = if reduced { of } else { self.all_owned(i, &object).unwrap_or(of) };
+        // "Two sofas with a table between them and a rug under it": one rug.
+        for thing in &of {
+            if let Number::Each { of: owner, number } = self.brief.things[*thing].number
+                && let [one] = object[..]
+                && owner != one
+                && !self.brief.things[one].number.many()
+            {
+                self.brief.things[*thing].number = Number::Exactly(number);
+            }
+        }
 
         if let Some(m) = self.s.pending.take() {
             if rel == Rel::Between {
@@ -243,7 +253,14 @@ impl Reader<'_> {
         let one = text.contains(&"it") && !text.iter().any(|w| matches!(*w, "them" | "their"));
         let single = |o: &&usize| !self.brief.things[**o].number.many();
         match object.as_slice() {
-            [.., last] if one && rel != Rel::Between => vec![*object.iter().rfind(single).unwrap_or(last)],
+            [.., last] if one && rel != Rel::Between => {
+                // "Two sofas with a table between them and a rug under it": under the table.
+                let here = |o: &&usize| {
+                    single(o) && !self.near.contains(o) && self.brief.things[**o].source.at().start >= self.s.at.start
+                };
+                let named = || self.recent.iter().rfind(here);
+                vec![*object.iter().rfind(single).or_else(named).unwrap_or(last)]
+            }
             _ => object,
         }
     }
