@@ -65,6 +65,9 @@ impl Named<'_> {
                 if let Some(text) = self.wall(k, a, which) {
                     say(text);
                 }
+                if let Some(text) = self.part_of_walls(a, which) {
+                    say(text);
+                }
             }
             Place::Corner if group != Group::Ceiling && (group != Group::Top || !self.carried_at_all(a)) => {
                 self.corner(k, a, which, verb, out);
@@ -101,6 +104,17 @@ impl Named<'_> {
             }
             Place::Row | Place::Circle => {}
         }
+    }
+
+    /// In the middle of its wall, or at two walls that face each other.
+    fn part_of_walls(&self, a: usize, which: &[String]) -> Option<String> {
+        const OFF: &str = "0.2";
+        let (room, name) = (self.room(a), self.name(a));
+        let is = |part: &str| which.iter().any(|word| word == part);
+        if is("middle") && self.counts[a] == 1 {
+            return Some(format!("abs(dot({name}.center - {room}.center, {name}.right)) <= {OFF}"));
+        }
+        (is("opposite") && self.counts[a] == 2).then(|| format!("dot({name}[0].front, {name}[1].front) <= -0.9"))
     }
 
     /// Where a thing must not stand; `None`: no statement denies this place.

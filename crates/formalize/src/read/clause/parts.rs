@@ -155,6 +155,26 @@ impl Reader<'_> {
         true
     }
 
+    /// "In the middle of the north wall", "centred on the wall", "on opposite walls": what is said beside which wall it is.
+    pub(super) fn part_of_walls(&mut self, i: usize, next: usize) -> Option<String> {
+        let first = i.saturating_sub(1);
+        let said = |chunk: &Chunk, words: &[&str]| {
+            self.tokens[chunk.at.clone()].iter().any(|t| words.contains(&t.text.as_str()))
+        };
+        let chunks = self.chunks;
+        let centered = said(&chunks[first], &["centered", "centred"]);
+        let middle = chunks[i + 1..next].iter().any(|chunk| said(chunk, &["middle", "center", "centre"]));
+        let opposite = chunks[i..next].iter().any(|chunk| said(chunk, &["opposite"]));
+        if centered {
+            self.mark(first);
+        }
+        match () {
+            () if centered || middle => Some("middle".to_owned()),
+            () if opposite => Some("opposite".to_owned()),
+            () => None,
+        }
+    }
+
     /// "with armrests", "with a glass top": looks of the last thing.
     pub(super) fn with_part(&mut self, i: usize, end: usize) -> usize {
         let from = i + 1;

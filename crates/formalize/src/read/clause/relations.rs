@@ -209,6 +209,9 @@ impl Reader<'_> {
         if place == Place::Wall && named.clone().any(|t| t.is("one") || t.is("single")) {
             which.push("one".to_owned());
         }
+        if place == Place::Wall {
+            which.extend(self.part_of_walls(i, next));
+        }
         if place == Place::Row && named.clone().any(|t| t.is("rows")) {
             which.push("several".to_owned());
         }
