@@ -20,6 +20,9 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
     out
 }
 
+/// What is lower than this (metres) and no furniture grows with what is said of its size.
+const WHOLE: f64 = 1.0;
+
 /// A size as its look has it: large, low, round, and what was said in figures.
 fn by_look(size: &mut [f64; 3], item: &Thing) {
     let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
@@ -32,6 +35,17 @@ fn by_look(size: &mut [f64; 3], item: &Thing) {
     };
     size[0] *= scale;
     size[2] *= scale;
+    // What is no furniture is larger or smaller as a whole.
+    let whole = matches!(item.group, Group::Top | Group::Soft | Group::Floor) && size[1] <= WHOLE;
+    if whole {
+        size[1] *= scale;
+    }
+    if whole && feature(&["huge", "giant", "massive", "life-size", "life-sized", "oversized"]) {
+        size.iter_mut().for_each(|v| *v *= 1.4);
+    }
+    if item.group == Group::Seat && feature(&["tiny", "child-sized", "child-size"]) {
+        size[1] *= 0.65;
+    }
     if feature(&["long"]) {
         size[0] *= 1.4;
     }

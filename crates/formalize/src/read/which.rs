@@ -8,7 +8,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    middle_one(tokens, i) || left_one(tokens, i) || one_there(tokens, i)
+    middle_one(tokens, i) || left_one(tokens, i) || one_there(tokens, i) || faced(tokens, i)
 }
 
 /// "A printer sits on the middle one": the middle cabinet holds a printer.
@@ -33,6 +33,29 @@ fn middle_one(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = [vec!["the".to_owned(), which], of, vec!["holds".to_owned()]].concat();
     let said: Vec<String> = said.into_iter().chain(tokens[from..i - 1].iter().map(|t| t.text.clone())).collect();
     put(tokens, from, i + 4, &said.iter().map(String::as_str).collect::<Vec<_>>());
+    true
+}
+
+/// "A lamp to the left of the door, facing it": facing the door.
+fn faced(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let verb = match [word(tokens, i), word(tokens, i + 1)] {
+        ["facing", "it"] => 1,
+        ["turned" | "looking" | "pointed" | "angled", "towards" | "toward" | "at"] if word(tokens, i + 2) == "it" => 2,
+        _ => return false,
+    };
+    if i == 0 || !tokens[i - 1].is(",") {
+        return false;
+    }
+    let named = |from: &usize| {
+        let the = word(tokens, *from) == "the" && noun(tokens, from + 1).is_some_and(|noun| noun.end == i - 1);
+        // What precedes it says where something is.
+        the && (1..=4).any(|n| {
+            from.checked_sub(n).is_some_and(|k| get().relation(&tokens[k..]).is_some_and(|(_, used)| used == n))
+        })
+    };
+    let Some(from) = (i.saturating_sub(LONGEST + 2)..i - 1).find(named) else { return false };
+    let said: Vec<String> = tokens[from..i - 1].iter().map(|t| t.text.clone()).collect();
+    put(tokens, i + verb, i + verb + 1, &said.iter().map(String::as_str).collect::<Vec<_>>());
     true
 }
 
@@ -127,6 +150,11 @@ mod tests {
                 "three cabinets, and a printer sits on the middle one",
                 "three cabinets , and the middle cabinet holds a printer",
             ),
+            (
+                "a lamp stands to the left of the door, facing it",
+                "a lamp stands to the left of the door , facing the door",
+            ),
+            ("a chair and a desk, facing it", "a chair and a desk , facing it"),
             (
                 "two shelves. the left shelf holds a vase. the right shelf holds a book",
                 "two shelves . the first shelf is to the left of the second shelf . the first shelf holds a vase . the second \

@@ -162,7 +162,7 @@ impl Reader<'_> {
             self.tokens[chunk.at.clone()].iter().any(|t| words.contains(&t.text.as_str()))
         };
         let chunks = self.chunks;
-        let centered = said(&chunks[first], &["centered", "centred"]);
+        let centered = chunks[first..=i].iter().any(|chunk| said(chunk, &["centered", "centred"]));
         let middle = chunks[i + 1..next].iter().any(|chunk| said(chunk, &["middle", "center", "centre"]));
         let opposite = chunks[i..next].iter().any(|chunk| said(chunk, &["opposite"]));
         if centered {
