@@ -69,7 +69,10 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
 
 /// "For customers", "for the children", "for reading": a purpose, of which nothing in the room follows.
 fn is_purpose(tokens: &[Token], i: usize) -> bool {
-    const BEFORE: [&str; 11] = ["the", "my", "our", "your", "their", "his", "her", "a", "an", "some", "all"];
+    const BEFORE: [&str; 15] = [
+        "the", "my", "our", "your", "their", "his", "her", "a", "an", "some", "all", "young", "elderly", "busy",
+        "growing",
+    ];
     let lexicon = get();
     let word = &tokens[i];
     let abstracts = lexicon.is(&word.text, Class::Abstract) || lexicon.is(&word.text, Class::Person);
