@@ -22,6 +22,7 @@ pub mod parse;
 pub mod print;
 pub mod program;
 pub mod roles;
+pub mod solids;
 pub mod sources;
 pub mod syntax;
 pub mod token;
