@@ -136,9 +136,42 @@ pub(crate) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> T
             let (p, q) = (facts.point_of(a), facts.point_of(b));
             facts.always.push(((p - q).length() - gap).at_least(-OUT_OF_BOX));
             facts.spans.push(([a, b], far + span));
+            between_solids(facts, gap, a, b);
         }
     }
     gap
+}
+
+/// What is solid of two upright objects bounds their gap: no two points of them are nearer.
+fn between_solids(facts: &mut Unknowns<'_>, gap: Term, a: ObjectId, b: ObjectId) {
+    let (thing, other) = (facts.thing(a), facts.thing(b));
+    let between = thing.center() - other.center();
+    let (length, zero) = (between.length(), Term::constant(0.0));
+    let flat = V3([between.0[0], zero, between.0[2]]).length();
+    facts.always.push((length - flat).at_least(-OUT_OF_BOX));
+    facts.always.push((flat + between.0[1].abs() - length).at_least(-OUT_OF_BOX));
+    let (Some(x), Some(y)) = (facts.solid_of(a), facts.solid_of(b)) else { return };
+    let is_upright = |t: &ObjectInstance<Term>| t.axes.0[1].0[1].known() == Some(1.0);
+    if !is_upright(&x) || !is_upright(&y) {
+        return;
+    }
+    // Each holds a disc about its middle axis, at each of its heights.
+    let top = |t: &ObjectInstance<Term>| t.pos.0[1] + t.scale.0[1];
+    let over = zero.max(x.pos.0[1] - top(&y)).max(y.pos.0[1] - top(&x));
+    let round = |t: &ObjectInstance<Term>| t.scale.0[0].min(t.scale.0[2]).scale(0.5);
+    let aside = zero.max(flat - round(&x) - round(&y));
+    facts.always.push((aside + over - gap).at_least(-OUT_OF_BOX));
+    // Along the axes of the world, each is a box.
+    let along = |t: &ObjectInstance<Term>| {
+        t.axes.0[0].0.iter().all(|c| c.known().is_some_and(|c| c.abs() < EXACT || c.abs() > 1.0 - EXACT))
+    };
+    if along(&x) && along(&y) {
+        let reach = x.reach() + y.reach();
+        let aside = [0, 2].map(|i| zero.max(between.0[i].abs() - reach.0[i]));
+        let direct = V3([aside[0], over, aside[1]]).length();
+        facts.always.push((direct - gap).at_least(-OUT_OF_BOX));
+        facts.always.push((aside[0] + aside[1] + over - gap).at_least(-OUT_OF_BOX));
+    }
 }
 
 /// Whether the gap between two objects is spoken of in proofs.

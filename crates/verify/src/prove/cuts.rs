@@ -14,7 +14,7 @@ use super::simplex::Simplex;
 use super::state::{EventId, State};
 use super::tape::Term;
 use scenelang_lang::program::ObjectId;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 /// An inequality: the sum is at least `least`.
 #[derive(Clone, Debug)]
@@ -174,8 +174,25 @@ pub(super) struct Points {
     edges: Vec<(usize, usize, Affine)>,
 }
 
-/// A coordinate of a point: variables with factors, or a constant.
-type Coordinate = (Vec<(Var, u64)>, u64);
+/// A coordinate of a point: variables with factors. What is constant of it is in the offset.
+type Coordinate = Vec<(Var, u64)>;
+/// How far a point is from where its variables are, by coordinates, in steps of [`STEP`].
+type Offset = Vec<i64>;
+
+/// So near to each other, points are the same (metres): far less than [`SLACK`].
+const STEP: f64 = 1e-9;
+/// So many points are told apart.
+const MOST_POINTS: usize = 400;
+/// A point stands at so many offsets.
+const MOST_MOVED: usize = 3;
+
+/// The length of the way from one point to another, moved by an offset.
+struct Difference {
+    from: Vec<Coordinate>,
+    to: Vec<Coordinate>,
+    offset: Offset,
+    var: Var,
+}
 
 impl Points {
     /// The ends of the lengths that are differences of two points; and directions, by their numbers, a contrary beside
@@ -184,22 +201,18 @@ impl Points {
     /// Coordinates stand in the order of their variables,
     /// x before y before z, and both ends must agree on that; so equal keys are equal points.
     pub fn new(problem: &Problem, angles: &[([usize; 2], Term)], spans: &[([ObjectId; 2], Term)]) -> Self {
-        let mut known: BTreeMap<Vec<Coordinate>, usize> = BTreeMap::new();
-        let mut edges = Vec::new();
+        let mut lengths = Vec::new();
         for (var, parts) in &problem.lengths {
             let Some(mut pairs) = parts.iter().map(|p| ends(problem, *p)).collect::<Option<Vec<_>>>() else { continue };
             pairs.sort();
-            let (from, to): (Vec<Coordinate>, Vec<Coordinate>) = pairs.into_iter().unzip();
-            let in_order = to.windows(2).all(|w| w[0].0.is_empty() && w[1].0.is_empty() || w[0].0 < w[1].0);
-            if in_order && from != to {
-                let mut id = |key: Vec<Coordinate>| {
-                    let next = known.len();
-                    *known.entry(key).or_insert(next)
-                };
-                edges.push((id(from), id(to), Affine { var: *var, minus: false, add: Interval::point(0.0) }));
+            let offset: Offset = pairs.iter().map(|p| p.2).collect();
+            let (from, to): (Vec<Coordinate>, Vec<Coordinate>) = pairs.into_iter().map(|(p, q, _)| (p, q)).unzip();
+            let in_order = to.windows(2).all(|w| w[0].is_empty() && w[1].is_empty() || w[0] < w[1]);
+            if in_order && (from != to || offset.iter().any(|o| *o != 0)) {
+                lengths.push(Difference { from, to, offset, var: *var });
             }
         }
-        let mut own = Self { nodes: known.len(), edges };
+        let mut own = Self::of(&lengths);
         own.directions(problem, angles);
         let first = own.nodes;
         for ([a, b], span) in spans {
@@ -210,6 +223,61 @@ impl Points {
             }
         }
         own
+    }
+
+    /// Points beside the points that coordinates name, where lengths begin and end. A length between two of them is one
+    /// between any two others that are moved alike.
+    fn of(lengths: &[Difference]) -> Self {
+        let mut known: BTreeMap<(&[Coordinate], Offset), usize> = BTreeMap::new();
+        let mut edges: BTreeMap<(usize, usize, Var), ()> = BTreeMap::new();
+        let zero = |length: &Difference| vec![0; length.offset.len()];
+        let mut open: VecDeque<(&[Coordinate], Offset)> = VecDeque::new();
+        let mut by_end: BTreeMap<&[Coordinate], Vec<&Difference>> = BTreeMap::new();
+        for length in lengths {
+            by_end.entry(&length.from).or_default().push(length);
+            by_end.entry(&length.to).or_default().push(length);
+        }
+        let is_fixed = |key: &[Coordinate]| key.iter().all(Vec::is_empty);
+        // Each length stands somewhere, one from a fixed point where its variables are; from there on, wherever the points
+        // that it ends at stand.
+        let (first, then): (Vec<&Difference>, Vec<&Difference>) = lengths.iter().partition(|l| is_fixed(&l.to));
+        for seed in first.into_iter().chain(then) {
+            let meets = |key: &[Coordinate]| *key == seed.from || *key == seed.to;
+            if is_fixed(&seed.to) || !known.keys().any(|(key, _)| meets(key)) {
+                open.push_back((&seed.from, zero(seed)));
+            }
+            while let Some((key, at)) = open.pop_front() {
+                let next = known.len();
+                let moved = known.keys().filter(|(of, _)| *of == key).count();
+                let few = next < MOST_POINTS && (moved < MOST_MOVED || is_fixed(key));
+                if known.contains_key(&(key, at.clone())) || !few {
+                    continue;
+                }
+                known.insert((key, at.clone()), next);
+                for length in by_end.get(key).into_iter().flatten() {
+                    let moved = |sign: i64| -> Offset {
+                        std::iter::zip(&at, &length.offset).map(|(a, o)| a + sign * o).collect()
+                    };
+                    if length.from == key {
+                        open.push_back((&length.to, moved(1)));
+                    }
+                    // To a fixed point the ways are those from where the variables are.
+                    if length.to == key && (!is_fixed(key) || at == length.offset) {
+                        open.push_back((&length.from, moved(-1)));
+                    }
+                }
+            }
+        }
+        for ((key, at), from) in &known {
+            for length in by_end.get(key).into_iter().flatten().filter(|length| length.from == *key) {
+                let to: Offset = std::iter::zip(at, &length.offset).map(|(a, o)| a + o).collect();
+                if let Some(to) = known.get(&(length.to.as_slice(), to)) {
+                    edges.insert((*from, *to, length.var), ());
+                }
+            }
+        }
+        let of = |(from, to, var)| (from, to, Affine { var, minus: false, add: Interval::point(0.0) });
+        Self { nodes: known.len(), edges: edges.into_keys().map(of).collect() }
     }
 
     /// The angles between directions, each of which is 180° from its contrary.
@@ -278,13 +346,13 @@ impl Points {
     }
 }
 
-/// The two ends that a coordinate difference lies between.
-fn ends(problem: &Problem, part: Affine) -> Option<(Coordinate, Coordinate)> {
+/// The two ends that a coordinate difference lies between, and how far the second is moved: (from) − (to + offset).
+fn ends(problem: &Problem, part: Affine) -> Option<(Coordinate, Coordinate, i64)> {
     let row = match &problem.kinds[part.var as usize] {
         UnknownKind::Row(parts) => parts.to_vec(),
         _ => vec![(part.var, 1.0)],
     };
-    if !part.add.is_point() {
+    if part.add.width() > STEP / 10.0 || part.add.magnitude() > 1e6 {
         return None;
     }
     let side =
@@ -292,9 +360,5 @@ fn ends(problem: &Problem, part: Affine) -> Option<(Coordinate, Coordinate)> {
     let (plus, minus): (Vec<_>, Vec<_>) = (side(1.0), side(-1.0));
     // ±row + add: the row less the constant point.
     let constant = if part.minus { part.add.lo } else { -part.add.lo };
-    match (minus.is_empty(), constant == 0.0) {
-        (true, _) => Some(((plus, 0), (Vec::new(), (constant + 0.0).to_bits()))),
-        (false, true) => Some(((plus, 0), (minus, 0))),
-        (false, false) => None,
-    }
+    Some((plus, minus, (constant / STEP).round() as i64))
 }

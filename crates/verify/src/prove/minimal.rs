@@ -27,7 +27,8 @@ const WHOLE: u64 = 2;
 const SMALLER: u64 = 4;
 const ONE: u64 = 300;
 /// The part of the work that may go, beside all else, into preferences that can never hold.
-const PREFERENCES: u64 = 30;
+const PREFERENCES: u64 = 10;
+const PREFERENCE: u64 = 60;
 /// The work of a brief search, in sizes of its model: drawing all consequences once takes seven or eight.
 const BRIEF: u64 = 10;
 
@@ -124,7 +125,7 @@ impl<'a> Prover<'a> {
             let mut among = neighbours.of(self.program, preference);
             among.push(preference);
             among.sort_unstable();
-            let set = self.minimal(&among, ONE);
+            let set = self.minimal(&among, PREFERENCE);
             found.extend(set.filter(|set| set.statements.contains(&preference)));
         }
         found
@@ -260,7 +261,7 @@ impl<'a> Prover<'a> {
         let given: Vec<&Given> = model.given.iter().filter(counts).collect();
         let claims: Vec<_> = given.iter().map(|g| g.claim).collect();
         let contact = tolerances.contact + 2.0 * tolerances.order;
-        let packing = Packing::new(&model.groups, problem, &claims, contact);
+        let packing = Packing::new(self.program, &model.groups, problem, &claims, contact);
         let cancel = self.options.cancel.as_deref();
         let mut search = Refutation::new(std::mem::take(problem), model, &packing, most, cancel);
         search.told = tell.then(Vec::new);
@@ -323,6 +324,16 @@ impl<'a> Prover<'a> {
         if core.statements.is_empty() {
             return None;
         }
+        // As few rules as can be, too.
+        for rules in [Rules::None, Rules::Bounds] {
+            if core.reason.is_some() || core.rules.is_empty() {
+                break;
+            }
+            let fewer = Choice { rules, ..self.whole(&core.statements) };
+            if let Some(other) = self.refute(fewer, SMALLER, false) {
+                core = other;
+            }
+        }
         let told = if self.options.explain { self.refute(self.whole(&core.statements), SMALLER, true) } else { None };
         let as_usual = self.usual.is_some() && {
             let strictly = Choice { usual: None, ..self.whole(&core.statements) };
@@ -335,7 +346,15 @@ impl<'a> Prover<'a> {
         definitions.dedup();
         let proof = told.map_or(proof, |t| t.proof);
         let sizes = if as_usual { self.sizes(&statements) } else { Vec::new() };
-        Some(Contradiction { statements, definitions, rules, reason, as_usual, sizes, proof })
+        let shapes = as_usual && self.rests_on_shapes(&statements);
+        Some(Contradiction { statements, definitions, rules, reason, as_usual, sizes, shapes, proof })
+    }
+
+    /// Whether a set of statements is refuted only by what of furniture is solid, or by where its surface is.
+    fn rests_on_shapes(&mut self, statements: &[usize]) -> bool {
+        let Some(usual) = self.usual else { return false };
+        let any = Usual { shapes: false, ..usual.clone() };
+        self.refute(Choice { usual: Some(&any), ..self.whole(statements) }, SMALLER, false).is_none()
     }
 
     /// The usual sizes without which a set of statements is not refuted: of the objects that they speak of.

@@ -9,6 +9,7 @@
 //!
 //! All of it is counted as work, never timed; the same program has the same findings everywhere.
 
+mod beside;
 mod cuts;
 pub(crate) mod interval;
 mod minimal;
@@ -16,18 +17,18 @@ mod model;
 mod narrow;
 mod outlines;
 mod packing;
+mod pierce;
 mod placing;
 mod probes;
 mod problem;
 mod refute;
+mod rings;
 mod simplex;
 mod state;
 pub(crate) mod tape;
 pub(crate) mod unknowns;
 mod usual;
 mod words;
-
-pub use usual::core_of;
 
 use crate::tolerances::Options;
 use scenelang_base::Diagnostic;
@@ -97,6 +98,8 @@ pub struct Contradiction {
     pub as_usual: bool,
     /// Objects, and the usual sizes (metres) of theirs that it rests on.
     pub sizes: Vec<(ObjectId, [f64; 3])>,
+    /// Whether it rests on what of furniture is solid, and where its surface is.
+    pub shapes: bool,
     /// Why, if that was asked for.
     pub proof: Option<Proof>,
 }

@@ -1,24 +1,23 @@
 //! Some statements of a program, and the physical rules about what they speak of, as claims about unknowns.
 
+use super::beside::MOST_PAIRED;
 use super::packing::{Between, Core, Member, PackingRegion};
 use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
-use super::unknowns::{OUT_OF_BOX, Unknowns};
-use super::usual::{Usual, core_of};
+use super::unknowns::{OUT_OF_BOX, Unknowns, is_box};
+use super::usual::Usual;
 use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, region_in_proofs};
-use crate::eval::{Scratch, Value};
+use crate::eval::{Scratch, Value, cone};
 use crate::number::{Algebra, Logic};
 use crate::rules::{Scope, Support};
 use crate::tolerances::Options;
-use crate::vector::V3;
+use crate::vector::{M3, V3};
 use crate::world::{ObjectInstance, World};
 use rustc_hash::FxHashMap;
-use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
     Arg, BuiltIn, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program,
     RegionId,
 };
-use scenelang_layout::Geometry;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -171,7 +170,8 @@ fn wanted(groups: &[PackingRegion<Term>]) -> Vec<Term> {
     };
     let group = |g: &PackingRegion<Term>| {
         let own = g.size.into_iter().chain(g.at).chain(g.between.iter().map(|b| b.length));
-        own.chain(g.members.iter().flat_map(member)).collect::<Vec<_>>()
+        let pairs = g.pairs.iter().flat_map(|(_, off)| *off);
+        own.chain(pairs).chain(g.members.iter().flat_map(member)).collect::<Vec<_>>()
     };
     groups.iter().flat_map(group).collect()
 }
@@ -269,8 +269,11 @@ impl Builder<'_> {
     fn spaces(&mut self, unknowns: &mut Unknowns<'_>) {
         for (free, owner, space) in std::mem::take(&mut unknowns.spaces) {
             for &other in self.objects.iter().filter(|o| **o != owner) {
-                let Some(solid) = unknowns.solid_of(self.program, self.options, other) else { continue };
-                let apart = unknowns.apart_along_axes([&space, &solid], SKEW);
+                let Some(solid) = unknowns.solid_of(other) else { continue };
+                let mut apart = unknowns.apart_along_axes([&space, &solid], SKEW);
+                if let Some(square) = square_in(&solid) {
+                    apart = all(&[apart, unknowns.apart_along_axes([&space, &square], SKEW)]);
+                }
                 let (of, name) = (self.name(owner), self.name(other));
                 let what = GivenSource::Rule(format!("`{name}` is not in the free space beside `{of}`"));
                 let premises = rests(unknowns, &[owner, other], &[]);
@@ -289,7 +292,7 @@ impl Builder<'_> {
             return;
         }
         for (&a, &b) in objects.iter().flat_map(|a| objects.iter().map(move |b| (a, b))) {
-            if !scope.collide(a, b) {
+            if a == b {
                 continue;
             }
             let (thing, other) = (unknowns.thing(a), unknowns.thing(b));
@@ -300,7 +303,17 @@ impl Builder<'_> {
             if off.iter().any(|t| t.0 as usize >= before) {
                 continue;
             }
-            let solids = [a, b].map(|o| unknowns.solid_of(self.program, self.options, o));
+            // What is over or under the other is no farther from its middle, along the axes of the world, than it reaches.
+            let reach = other.reach();
+            let within = [0, 1].map(|i| (other.scale.0[2 * i].scale(0.5) - off[i]).at_least(-1e-5));
+            let near = [0, 2].map(|i| (reach.0[i] - between.0[i].abs()).at_least(-1e-4));
+            if other.axes.0[1].0[1].known() == Some(1.0) {
+                unknowns.always.push(implies(all(&within), all(&near)));
+            }
+            if !scope.collide(a, b) {
+                continue;
+            }
+            let solids = [a, b].map(|o| unknowns.solid_of(o));
             let [Some(own), Some(other)] = solids else { continue };
             // A square in the disc in its footprint, turned as the other is.
             let square = own.scale.0[0].min(own.scale.0[2]).scale(0.35);
@@ -390,7 +403,14 @@ impl Builder<'_> {
             let known = std::iter::zip(&objects, &members).filter(|(_, m)| m.inside == Claim::TRUE);
             spoken.extend(known.map(|(o, _)| *o));
             let room = unknowns.room(region);
+            let near = if objects.len() > MOST_PAIRED { &[][..] } else { &pairs };
+            let offsets = near.iter().map(|&(i, k)| {
+                let between = unknowns.thing(objects[i]).center() - unknowns.thing(objects[k]).center();
+                ((i, k), [between.0[0], between.0[2]])
+            });
+            let pairs = offsets.collect();
             groups.push(PackingRegion {
+                pairs,
                 size: room.scale.0,
                 at: [room.pos.0[0], room.pos.0[2]],
                 straight: unknowns.is_straight(region),
@@ -425,16 +445,20 @@ impl Builder<'_> {
     }
 }
 
+/// A box along the axes of the world in an upright one of which the turn is not known: a square in the disc in it.
+fn square_in(thing: &ObjectInstance<Term>) -> Option<ObjectInstance<Term>> {
+    let is_upright = thing.axes.0[1].0[1].known() == Some(1.0);
+    let side = thing.scale.0[0].min(thing.scale.0[2]).scale(0.707);
+    let is_turned = thing.axes.0[0].0.iter().any(|c| c.known().is_none());
+    let axes = M3([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| V3(axis.map(Term::constant))));
+    let scale = V3([side, thing.scale.0[1], side]);
+    (is_upright && is_turned).then(|| ObjectInstance { axes, scale, ..thing.clone() })
+}
+
 /// Statements that what is known of objects and regions rests on, whatever is said of them.
 fn rests(unknowns: &Unknowns<'_>, objects: &[ObjectId], regions: &[RegionId]) -> Vec<usize> {
     let of_objects = objects.iter().filter_map(|o| unknowns.rests.get(o));
     of_objects.chain(regions.iter().filter_map(|r| unknowns.framed.get(r))).flatten().copied().collect()
-}
-
-/// Whether the solid of an object is its box for sure: it is asked to be, or nothing says what kind of thing it is.
-fn is_box(program: &Program, options: &Options, object: ObjectId) -> bool {
-    let object = &program.objects[object.0 as usize];
-    options.geometry == Geometry::Box || object.category.is_empty() && furniture_size(&object.name).is_none()
 }
 
 /// Boxes of known size in a rectangular region of known size.
@@ -452,6 +476,7 @@ fn companies(common: &Common<'_>, usual: Option<&Usual>, statements: &[usize]) -
     let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
     for &index in statements {
         said.extend(insides(&program.constraints[index].formula));
+        said.extend(counted_insides(&program.constraints[index].formula));
     }
     if program.regions.len() == 1 && options.physics {
         let all = statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
@@ -524,6 +549,17 @@ pub(super) fn insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
     out
 }
 
+/// What a formula counts that is inside a region.
+fn counted_insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
+    let ids = (0..formula.nodes.len() as u32).map(NodeId);
+    let counts = ids.filter(|id| matches!(formula.node(*id), Node::Count(_) | Node::AtLeast(..)));
+    let contained = counts.flat_map(|id| cone(formula, id)).filter_map(|id| match formula.node(id) {
+        Node::BuiltIn(built_in, args) => built_in.contained(args).map(|(object, region)| (region, object)),
+        _ => None,
+    });
+    contained.collect()
+}
+
 pub(super) fn regions_of(formula: &Formula) -> Vec<RegionId> {
     let mut out = Vec::new();
     for node in &formula.nodes {
@@ -585,22 +621,6 @@ impl Unknowns<'_> {
         thing.map_or(Vec::new(), |t| t.axes.0.iter().flat_map(|v| v.0).collect())
     }
 
-    /// A box that is solid for sure: that of the object, or a part of it about its middle axis.
-    fn solid_of(&self, program: &Program, options: &Options, id: ObjectId) -> Option<ObjectInstance<Term>> {
-        let thing = self.thing(id);
-        if is_box(program, options, id) {
-            return Some(thing);
-        }
-        if !self.usual.is_some_and(|usual| usual.upright[id.0 as usize]) {
-            return None;
-        }
-        let [Some(w), Some(h), Some(d)] = thing.scale.0.map(Term::known) else { return None };
-        let ([w, d], [from, to]) = core_of(&program.objects[id.0 as usize], [w, h, d])?;
-        let mut pos = thing.pos;
-        pos.0[1] = pos.0[1] + Term::constant(from);
-        Some(ObjectInstance { pos, scale: V3([w, to - from, d].map(Term::constant)), ..thing })
-    }
-
     fn member(&mut self, program: &Program, options: &Options, id: ObjectId, region: RegionId) -> Member<Term> {
         let inside = region_in_proofs(self, id, region);
         let thing = self.thing(id);
@@ -608,14 +628,14 @@ impl Unknowns<'_> {
         let (bottom, top) = (center.0[1] - reach.0[1], center.0[1] + reach.0[1]);
         let size = thing.scale.0;
         let whole = is_box(program, options, id);
-        let core = self.solid_of(program, options, id).map(|solid| {
+        let core = self.solid_of(id).map(|solid| {
             let bottom = if whole { bottom } else { solid.pos.0[1] };
             let top = if whole { top } else { solid.pos.0[1] + solid.scale.0[1] };
             Core { size: [solid.scale.0[0], solid.scale.0[2]], bottom, top }
         });
         let at = [center.0[0], center.0[2]];
         let turn = [thing.axes.0[0].0[0], thing.axes.0[2].0[0]];
-        Member { inside, size, bottom, top, whole, core, up: thing.axes.0[1].0[1], at, turn }
+        Member { object: id, inside, size, bottom, top, whole, core, up: thing.axes.0[1].0[1], at, turn }
     }
 
     /// The distances between two members of a group that claims speak of.

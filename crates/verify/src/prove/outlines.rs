@@ -33,6 +33,7 @@ pub(super) fn impossible(program: &Program, options: &Options) -> Vec<Contradict
             reason: None,
             as_usual: false,
             sizes: Vec::new(),
+            shapes: false,
             proof: None,
         })
     })

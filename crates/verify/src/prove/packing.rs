@@ -10,12 +10,14 @@
 //! is in two of the cuts (`probes`), nor within half of the distance that they keep from each other.
 
 use super::interval::Interval;
+use super::pierce;
 use super::placing::{MadeOf, Placing, conjuncts};
 use super::probes::{self, ProbeBox};
-use super::problem::{self, Affine, Problem, Var};
+use super::problem::{self, Affine, Problem, Var, VariableFormula};
 use super::state::{Conflict, EventId, EventKind, Rule, State};
 use super::tape::{Claim, Term};
 use rustc_hash::FxHashMap;
+use scenelang_lang::program::{ObjectId, Program};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
@@ -23,6 +25,7 @@ use std::f64::consts::PI;
 /// A box that may stand in a region, by terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Member<T> {
+    pub object: ObjectId,
     pub inside: Claim,
     pub size: [T; 3],
     pub bottom: T,
@@ -65,6 +68,8 @@ pub(super) struct PackingRegion<T> {
     /// Whether it is unturned.
     pub straight: bool,
     pub between: Vec<Between<T>>,
+    /// How far the centre of the first of a pair is from that of the second, along x and z; sorted by pair.
+    pub pairs: Vec<((usize, usize), [T; 2])>,
     pub members: Vec<Member<T>>,
     /// Pairs of members that may overlap all the same, sorted.
     pub excepted: Vec<(usize, usize)>,
@@ -72,9 +77,20 @@ pub(super) struct PackingRegion<T> {
     pub apart: Claim,
 }
 
+/// At least so many of some claims hold, each of which says of a member that it is in the region.
+#[derive(Clone, Debug)]
+struct Counted {
+    claim: Claim,
+    least: usize,
+    members: Vec<usize>,
+}
+
 /// The groups of a problem.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Packing {
+#[derive(Debug)]
+pub(super) struct Packing<'p> {
+    program: &'p Program,
+    /// By group.
+    counted: Vec<Vec<Counted>>,
     groups: Vec<PackingRegion<Affine>>,
     /// What holds, taken apart.
     holding: Vec<Claim>,
@@ -82,10 +98,12 @@ pub(super) struct Packing {
     placings: OnceCell<Vec<Vec<Placing>>>,
     /// What was tried already: by group, member, kind and points.
     tried: RefCell<FxHashMap<Vec<u64>, bool>>,
+    /// Points that were guessed already.
+    guessed: RefCell<FxHashMap<Vec<u64>, Vec<probes::Points>>>,
     /// What does not fit, in words, as found last.
     said: RefCell<Option<String>>,
     /// How far boxes may overlap, and stick out of a region on each side (metres).
-    contact: f64,
+    pub contact: f64,
 }
 
 /// How far from upright a box may be to have a footprint here: the sine of the tilt.
@@ -94,18 +112,27 @@ const TILT: f64 = 0.01;
 const MOST_PLACED: usize = 60;
 /// Where things take less than this part of the floor, it is not looked at closely.
 const WORTH_A_LOOK: f64 = 0.4;
+/// Where much of the floor is free, no more members than this are looked at closely.
+const MOST_PIERCED: usize = 12;
 /// So many sizes, and so many distances, are tried.
 const MOST_LENGTHS: usize = 4;
 
-impl Packing {
+impl<'p> Packing<'p> {
     /// Groups in terms of a problem; `given` holds in it.
-    pub fn new(groups: &[PackingRegion<Term>], problem: &Problem, given: &[Claim], contact: f64) -> Self {
+    pub fn new(
+        program: &'p Program,
+        groups: &[PackingRegion<Term>],
+        problem: &Problem,
+        given: &[Claim],
+        contact: f64,
+    ) -> Self {
         let at = |term: Term| problem.terms[term.0 as usize];
         let all = |terms: [Term; 3]| Some([at(terms[0])?, at(terms[1])?, at(terms[2])?]);
         let both = |terms: [Term; 2]| Some([at(terms[0])?, at(terms[1])?]);
         let group = |group: &PackingRegion<Term>| {
             let member = |m: &Member<Term>| {
                 Some(Member {
+                    object: m.object,
                     inside: m.inside,
                     size: all(m.size)?,
                     bottom: at(m.bottom)?,
@@ -130,6 +157,7 @@ impl Packing {
                 at: both(group.at)?,
                 straight: group.straight,
                 between: group.between.iter().filter_map(between).collect(),
+                pairs: group.pairs.iter().filter_map(|(pair, off)| Some((*pair, both(*off)?))).collect(),
                 members,
                 excepted: group.excepted.clone(),
                 apart: group.apart,
@@ -137,7 +165,18 @@ impl Packing {
         };
         let groups: Vec<PackingRegion<Affine>> = groups.iter().filter_map(group).collect();
         let holding = if groups.is_empty() { Vec::new() } else { conjuncts(problem, given) };
-        Self { groups, holding, contact, ..Self::default() }
+        let counted = groups.iter().map(|group| counted(problem, group)).collect();
+        Self {
+            program,
+            counted,
+            groups,
+            holding,
+            placings: OnceCell::new(),
+            tried: RefCell::default(),
+            guessed: RefCell::default(),
+            said: RefCell::default(),
+            contact,
+        }
     }
 
     /// What is said of a member alone.
@@ -160,6 +199,30 @@ impl Packing {
             self.groups.iter().map(of_group).collect()
         };
         &self.placings.get_or_init(all)[group][member]
+    }
+
+    /// Notes what does not fit.
+    pub(super) fn say(&self, what: String) {
+        *self.said.borrow_mut() = Some(what);
+    }
+
+    /// The name of a member.
+    pub(super) fn name(&self, group: &PackingRegion<Affine>, member: usize) -> &'p str {
+        &self.program.objects[group.members[member].object.0 as usize].name
+    }
+
+    /// So many members, by what they are, if that is the same.
+    pub(super) fn things(&self, group: &PackingRegion<Affine>, members: &[usize]) -> String {
+        let what = |i: &usize| {
+            let object = &self.program.objects[group.members[*i].object.0 as usize];
+            let name = object.array.as_ref().map_or(object.name.as_str(), |(array, _)| array.as_str());
+            if object.category.is_empty() { name } else { object.category.as_str() }
+        };
+        let first = members.first().map(what).unwrap_or_default();
+        let same =
+            members.iter().all(|i| what(i) == first) && first.chars().all(|c| c.is_ascii_lowercase() || c == ' ');
+        let many = if same && !first.is_empty() { plural(first) } else { "objects".to_owned() };
+        format!("{} {many}", members.len())
     }
 
     /// What did not fit, in words.
@@ -188,13 +251,57 @@ impl Packing {
                 let reasons = [state.verdict_why[group.apart.index()]];
                 state.work += count.len() as u64 * 8;
                 self.volumes(group, &count, &reasons, state)?;
-                if let Some((upright, plane)) = self.cut_by_one_plane(group, &count, state) {
+                let cuts: Vec<(Vec<usize>, Vec<EventId>)> = match self.cut_by_one_plane(group, &count, state) {
+                    Some(cut) => vec![cut],
+                    None => self.planes(group, &count, state),
+                };
+                for (upright, plane) in &cuts {
+                    let why = [&reasons[..], plane].concat();
+                    self.areas(group, upright, &why, 0.0, state)?;
+                }
+                self.beside(group, &count, &reasons, state)?;
+                for (upright, plane) in cuts {
                     let why = [&reasons[..], &plane].concat();
-                    self.areas(group, &upright, &why, 0.0, state)?;
-                    self.probes(problem, index, &upright, &why, None, state)?;
+                    self.probes(problem, index, (&upright, upright.len()), &why, None, state)?;
                 }
             }
             self.spaced(problem, index, &inside, state)?;
+            let apart = state.is_true(group.apart).then(|| state.verdict_why[group.apart.index()]);
+            self.rings(group, apart, state)?;
+            self.counts(problem, index, state)?;
+        }
+        Ok(())
+    }
+
+    /// Of members that are counted in a region at least so many are in it, whichever they are.
+    fn counts(&self, problem: &Problem, index: usize, state: &mut State) -> Result<(), Conflict> {
+        let group = &self.groups[index];
+        for Counted { claim, least, members } in &self.counted[index] {
+            if !state.is_true(*claim) || !state.is_true(group.apart) || *least < 2 {
+                continue;
+            }
+            let excepted =
+                |i: &usize| members.iter().any(|k| group.excepted.binary_search(&(*i.min(k), *i.max(k))).is_ok());
+            let (some, others): (Vec<usize>, Vec<usize>) =
+                members.iter().copied().partition(|i| group.members[*i].core.is_some() && !excepted(i));
+            let Some(least) = least.checked_sub(others.len()).filter(|least| *least > 1) else { continue };
+            let Some((upright, plane)) = self.cut_by_one_plane(group, &some, state) else { continue };
+            if upright.len() < some.len() {
+                continue;
+            }
+            state.work += some.len() as u64 * 8;
+            let mut why = plane;
+            why.extend([*claim, group.apart].map(|claim| state.verdict_why[claim.index()]));
+            // The smallest of them need the least.
+            let area = |i: &usize| footprint(state, &group.members[*i]).into_iter().product::<f64>();
+            let mut smallest = upright.clone();
+            smallest.sort_by(|a, b| area(a).total_cmp(&area(b)));
+            smallest.truncate(least);
+            for &i in &upright {
+                why.extend(known_of(state, &group.members[i]));
+            }
+            self.areas(group, &smallest, &why, 0.0, state)?;
+            self.probes(problem, index, (&upright, least), &why, None, state)?;
         }
         Ok(())
     }
@@ -253,6 +360,32 @@ impl Packing {
         Some((upright, why))
     }
 
+    /// Members that one plane cuts, where none cuts all of them: at a few heights, the most each.
+    fn planes(&self, group: &PackingRegion<Affine>, count: &[usize], state: &State) -> Vec<(Vec<usize>, Vec<EventId>)> {
+        let upright = count.iter().copied().filter(|&i| is_upright(state, &group.members[i]));
+        let heights = upright.filter_map(|i| {
+            let core = group.members[i].core?;
+            Some((i, of(state, core.bottom).hi + 2.0 * self.contact, of(state, core.top).lo - 2.0 * self.contact))
+        });
+        let heights: Vec<(usize, f64, f64)> = heights.collect();
+        let mut sets: Vec<Vec<usize>> = Vec::new();
+        for (_, level, _) in &heights {
+            let cut = heights.iter().filter(|(_, from, to)| from <= level && level < to);
+            let cut: Vec<usize> = cut.map(|(i, ..)| *i).collect();
+            if cut.len() > 1 && !sets.contains(&cut) {
+                sets.push(cut);
+            }
+        }
+        sets.sort_by_key(|set| std::cmp::Reverse(set.len()));
+        sets.truncate(MOST_LENGTHS);
+        let with_reasons = |set: Vec<usize>| {
+            let cores = set.iter().filter_map(|&i| group.members[i].core);
+            let why = cores.flat_map(|core| [upper(state, core.bottom), lower(state, core.top)]).collect();
+            (set, why)
+        };
+        sets.into_iter().map(with_reasons).collect()
+    }
+
     fn areas(
         &self,
         group: &PackingRegion<Affine>,
@@ -263,9 +396,23 @@ impl Packing {
     ) -> Result<(), Conflict> {
         // With what each keeps free around it they fit into the floor with as much around that.
         let margin = Interval::point(2.0 * self.contact + 2.0 * around);
-        let room = [0, 2].map(|i| of(state, group.size[i]) + margin);
         let mut sum = Interval::point(0.0);
         let mut why = reasons.to_vec();
+        // Where all of them may be, along each axis: in the region, or in less of it.
+        let room = [0, 1].map(|axis| {
+            let whole = of(state, group.size[2 * axis]);
+            let part = self.part(group, upright, axis, state);
+            if part >= whole.hi || !group.straight {
+                why.push(upper(state, group.size[2 * axis]));
+                return whole + margin;
+            }
+            for &i in upright {
+                let member = &group.members[i];
+                why.extend([lower(state, member.at[axis]), upper(state, member.at[axis])]);
+                why.extend(member.turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
+            }
+            Interval::point(part) + margin
+        });
         for &i in upright {
             let member = &group.members[i];
             let size = footprint(state, member).map(|size| smaller(Interval::from(size), self.contact));
@@ -273,19 +420,41 @@ impl Packing {
             sum = sum + size[0] * size[1] + (size[0] + size[1]) * Interval::point(2.0 * around) + round;
             why.extend(known_of(state, member));
         }
-        why.extend([upper(state, group.size[0]), upper(state, group.size[2])]);
         let full = sum.lo > (room[0] * room[1]).hi;
         if full {
+            let [x, z] = room.map(|side| (side - margin).hi);
             let floor = of(state, group.size[0]).hi * of(state, group.size[2]).hi;
-            let covers: f64 = upright.iter().map(|&i| footprint(state, &group.members[i])).map(|[w, d]| w * d).sum();
-            let what = things(upright.len(), None);
+            let boxes = upright.iter().map(|&i| [0, 2].map(|k| of(state, group.members[i].size[k]).lo));
+            let covers: f64 = boxes.map(|[w, d]| w * d).sum();
+            let what = self.things(group, upright);
             let say = match around {
+                0.0 if x * z < floor - 0.005 => format!(
+                    "{what} cover {} m², but they have only {} m² of the floor ({} × {} m)",
+                    short(covers),
+                    short(x * z),
+                    short(x),
+                    short(z)
+                ),
                 0.0 => format!("{what} cover {} m², but the floor has only {} m²", short(covers), short(floor)),
                 _ => format!("{what} that keep {} m between them do not fit on the floor", short(2.0 * around)),
             };
-            *self.said.borrow_mut() = Some(say);
+            self.say(say);
         }
         if full { Err(Conflict(state.event(EventKind::Conflict(Rule::Packing), &why))) } else { Ok(()) }
+    }
+
+    /// How long the part of the floor is, along an axis, that the solids of some may be in.
+    fn part(&self, group: &PackingRegion<Affine>, some: &[usize], axis: usize, state: &State) -> f64 {
+        let ends = some.iter().map(|&i| {
+            let member = &group.members[i];
+            let [w, d] = footprint(state, member);
+            let [c, s] = member.turn.map(|t| of(state, t).magnitude().min(1.0));
+            let reach = if axis == 0 { c * w + s * d } else { s * w + c * d }.min(w.hypot(d)) / 2.0;
+            let at = of(state, member.at[axis]);
+            [at.lo - reach, at.hi + reach]
+        });
+        let [lo, hi] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], [a, b]| [l.min(a), h.max(b)]);
+        hi - lo
     }
 
     /// Upright members that keep distances from each other: the more they keep, the fewer of them.
@@ -336,18 +505,19 @@ impl Packing {
                 if !of_centres {
                     self.areas(group, &upright, &why, space / 2.0, state)?;
                 }
-                self.probes(problem, index, &upright, &why, Some((space, of_centres)), state)?;
+                self.probes(problem, index, (&upright, upright.len()), &why, Some((space, of_centres)), state)?;
             }
         }
         Ok(())
     }
 
-    /// A conflict where there is a set of points, fewer than members, of which each member covers one.
+    /// A conflict where there is a set of points of which each member covers one, and which is smaller than the number of
+    /// members that are there at least.
     fn probes(
         &self,
         problem: &Problem,
         index: usize,
-        upright: &[usize],
+        (upright, least): (&[usize], usize),
         reasons: &[EventId],
         space: Option<(f64, bool)>,
         state: &mut State,
@@ -360,17 +530,29 @@ impl Packing {
         // The largest first: where some of them fit, more of them may not.
         let mut order: Vec<(usize, ProbeBox)> =
             upright.iter().map(|&i| (i, self.kind(group, &group.members[i], space, state))).collect();
-        // Where much of the floor is free there is no need to look closely.
-        if order.iter().map(|(_, kind)| kind.taken()).sum::<f64>() < WORTH_A_LOOK * floor[0] * floor[1] {
+        // Where much of the floor is free there is no need to look closely, unless things may not stand everywhere.
+        let loose = order.iter().map(|(_, kind)| kind.taken()).sum::<f64>() < WORTH_A_LOOK * floor[0] * floor[1];
+        let placed = |(i, _): &(usize, ProbeBox)| !self.placing(problem, (index, *i)).claims.is_empty();
+        if loose {
+            order.retain(placed);
+        }
+        let missing = upright.len() - least;
+        if order.len() < missing + 2 || loose && order.len() > MOST_PIERCED {
             return Ok(());
         }
         let side = |k: &ProbeBox| k.core[0].min(k.core[1]) + 2.0 * k.space;
         order.sort_by(|(_, a), (_, b)| side(b).total_cmp(&side(a)));
         let last = |n: &usize| *n == order.len() || side(&order[*n].1) < side(&order[n - 1].1) - 1e-9;
-        let counts: Vec<usize> = (2..=order.len()).filter(last).collect();
+        let counts: Vec<usize> = (missing + 2..=order.len()).filter(last).collect();
         for count in counts.into_iter().rev().take(MOST_LENGTHS) {
-            let (some, smallest) = (&order[..count], order[count - 1].1);
-            for points in probes::guesses(floor, &smallest, count) {
+            let (some, smallest) = (&order[..count], order[count - 1]);
+            let fewer = count - missing;
+            let mut guesses = if loose { Vec::new() } else { probes::guesses(floor, &smallest.1, fewer) };
+            let general = guesses.len();
+            if count <= MOST_PIERCED && some.iter().all(placed) {
+                guesses.extend(self.pierced(problem, (index, smallest.0), floor, &smallest.1, fewer, state));
+            }
+            for (guess, points) in guesses.into_iter().enumerate() {
                 let one =
                     |(i, kind): &(usize, ProbeBox)| self.covers(problem, (index, *i), floor, kind, &points, state);
                 if !some.iter().all(one) {
@@ -386,21 +568,58 @@ impl Packing {
                 let [w, d] = [0, 2].map(|i| short(of(state, group.size[i]).hi));
                 let sizes = some.iter().map(|(i, _)| [0, 2].map(|k| short(of(state, group.members[*i].size[k]).lo)));
                 let sizes: BTreeSet<[String; 2]> = sizes.collect();
-                let what = things(count, (sizes.len() == 1).then(|| sizes.into_iter().next()).flatten());
+                let what = self.things(group, &some.iter().map(|(i, _)| *i).collect::<Vec<usize>>()[..fewer]);
+                let each = match sizes.into_iter().collect::<Vec<_>>().as_slice() {
+                    [[w, d]] => format!(" of {w} × {d} m"),
+                    _ => String::new(),
+                };
+                let there = if guess < general { "" } else { " where they are to stand" };
                 let apart = match space {
                     Some((length, true)) => format!(", their centres {} m apart", short(length)),
                     Some((length, false)) => format!(" {} m apart", short(length)),
                     None => String::new(),
                 };
                 let fit = points.len();
-                let say = format!("{what} do not fit on a floor of {w} × {d} m{apart}: at most {fit} fit");
-                *self.said.borrow_mut() = Some(say);
+                let say = match (some, space) {
+                    ([(a, _), (b, _)], Some(_)) => {
+                        let [a, b] = [a, b].map(|i| self.name(group, *i));
+                        format!("`{a}` and `{b}` cannot be so far apart on a floor of {w} × {d} m")
+                    }
+                    _ => format!("{what}{each} do not fit{apart} on a floor of {w} × {d} m{there}: at most {fit} fit"),
+                };
+                self.say(say);
                 return Err(Conflict(
                     state.event(EventKind::Conflict(Rule::Beside { fit: points.len() as u32 }), &why),
                 ));
             }
         }
         Ok(())
+    }
+
+    /// Guesses of points by where a member may stand.
+    fn pierced(
+        &self,
+        problem: &Problem,
+        (index, member): (usize, usize),
+        floor: [f64; 2],
+        kind: &ProbeBox,
+        fewer: usize,
+        state: &mut State,
+    ) -> Vec<probes::Points> {
+        let (group, placing) = (&self.groups[index], self.placing(problem, (index, member)));
+        let kind =
+            ProbeBox { turns: if kind.turns == probes::ANY_TURN { probes::WHOLE_TURN } else { kind.turns }, ..*kind };
+        let numbers = floor.into_iter().chain(kind.size).chain(kind.core).chain([kind.space]).chain(kind.turns);
+        let key = [index, member, fewer].map(|n| n as u64).into_iter().chain(numbers.map(f64::to_bits)).collect();
+        if let Some(known) = self.guessed.borrow().get(&key) {
+            return known.clone();
+        }
+        let at = group.at.map(|t| if t.var == 0 { t.add.lo } else { 0.0 });
+        let mut values = Vec::new();
+        let mut may_be = |cell: &probes::Cell| placing.may_be(problem, at, cell, &mut values);
+        let found = pierce::guesses(floor, &kind, fewer, &mut may_be, &mut state.work);
+        self.guessed.borrow_mut().insert(key, found.clone());
+        found
     }
 
     /// A member as a thing that covers points.
@@ -453,7 +672,7 @@ impl Packing {
     }
 }
 
-fn is_upright(state: &State, member: &Member<Affine>) -> bool {
+pub(super) fn is_upright(state: &State, member: &Member<Affine>) -> bool {
     of(state, member.up).lo >= (1.0 - TILT * TILT).sqrt()
 }
 
@@ -465,36 +684,61 @@ fn footprint(state: &State, member: &Member<Affine>) -> [f64; 2] {
     }
 }
 
-/// So many things, of one size in words or of several.
-fn things(count: usize, size: Option<[String; 2]>) -> String {
-    match size {
-        Some([w, d]) => format!("{count} objects of {w} × {d} m"),
-        None => format!("{count} objects"),
+/// What is counted in a group: of how many of its members statements say that some number of them are in the region.
+fn counted(problem: &Problem, group: &PackingRegion<Affine>) -> Vec<Counted> {
+    let parts = |claim: Claim| conjuncts(problem, &[claim]).into_iter().collect::<BTreeSet<Claim>>();
+    let inside: Vec<BTreeSet<Claim>> = group.members.iter().map(|m| parts(m.inside)).collect();
+    let of_fact = |(fact, verdict): (usize, &VariableFormula)| {
+        let VariableFormula::AtLeast(least, claims) = verdict else { return None };
+        if claims.len() > MOST_PLACED {
+            return None;
+        }
+        let member = |claim: &Claim| {
+            let said = parts(*claim);
+            inside.iter().position(|parts| !parts.is_empty() && parts.is_subset(&said))
+        };
+        let found: Vec<usize> = claims.iter().filter_map(member).collect();
+        let least = (*least as usize).checked_sub(claims.len() - found.len())?;
+        let different = found.iter().collect::<BTreeSet<_>>().len() == found.len();
+        (least > 1 && different).then_some(Counted { claim: Claim(2 * fact as u32), least, members: found })
+    };
+    problem.verdicts.iter().enumerate().filter_map(of_fact).collect()
+}
+
+/// More than one of a noun.
+fn plural(noun: &str) -> String {
+    let consonant = |end: &str| end.strip_suffix('y').is_some_and(|rest| !rest.ends_with(['a', 'e', 'i', 'o', 'u']));
+    match noun {
+        "person" => "people".to_owned(),
+        _ if noun.ends_with("shelf") => format!("{}ves", &noun[..noun.len() - 1]),
+        _ if consonant(noun) => format!("{}ies", &noun[..noun.len() - 1]),
+        _ if noun.ends_with(['s', 'x', 'z']) || noun.ends_with("ch") || noun.ends_with("sh") => format!("{noun}es"),
+        _ => format!("{noun}s"),
     }
 }
 
 /// Metres as people write them; the last digit may owe itself to a tolerance.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let text = format!("{:.2}", value);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// The events behind the place and the size of a member.
-fn known_of(state: &State, member: &Member<Affine>) -> impl Iterator<Item = EventId> {
+pub(super) fn known_of(state: &State, member: &Member<Affine>) -> impl Iterator<Item = EventId> {
     let sizes = member.size.map(|s| [lower(state, s), upper(state, s)]);
-    let first = [state.verdict_why[member.inside.index()], lower(state, member.up)];
-    first.into_iter().chain(sizes.into_iter().flatten())
+    let inside = state.is_true(member.inside).then(|| state.verdict_why[member.inside.index()]);
+    inside.into_iter().chain([lower(state, member.up)]).chain(sizes.into_iter().flatten())
 }
 
-fn of(state: &State, term: Affine) -> Interval {
+pub(super) fn of(state: &State, term: Affine) -> Interval {
     term.of(state.domain[term.var as usize])
 }
 
-fn lower(state: &State, term: Affine) -> EventId {
+pub(super) fn lower(state: &State, term: Affine) -> EventId {
     state.why[term.var as usize][usize::from(term.minus)]
 }
 
-fn upper(state: &State, term: Affine) -> EventId {
+pub(super) fn upper(state: &State, term: Affine) -> EventId {
     state.why[term.var as usize][usize::from(!term.minus)]
 }
 

@@ -20,6 +20,10 @@ const DEEPEST: usize = 60;
 const HALVINGS: usize = 10;
 /// Rounds of inequalities for operations, at the start and below a supposition.
 const ROUNDS: [usize; 2] = [12, 3];
+/// Signs are tried where they are no more, in this part of the work; each of something that may be so far from 0.
+const MOST_SIGNS: usize = 60;
+const SIGNS_WORK: u64 = 20;
+const WIDE: f64 = 0.01;
 /// So many rows may be added.
 const MOST_ROWS: usize = 4000;
 
@@ -45,7 +49,7 @@ pub(super) struct Refutation<'a> {
     pub state: State,
     simplex: Simplex,
     points: Points,
-    packing: &'a Packing,
+    packing: &'a Packing<'a>,
     /// Rows from here on were added by the search.
     first_row: usize,
     most: u64,
@@ -55,6 +59,8 @@ pub(super) struct Refutation<'a> {
     weight: f64,
     /// Whether it ended, without supposing anything, because boxes do not fit.
     pub is_full: bool,
+    /// Whether anything was supposed on the way.
+    has_supposed: bool,
     /// The proof, if it is to be told.
     pub told: Option<Vec<ProofEvent>>,
     told_as: Vec<Option<usize>>,
@@ -73,7 +79,7 @@ impl<'a> Refutation<'a> {
     pub fn new(
         problem: Problem,
         model: &ClaimModel,
-        packing: &'a Packing,
+        packing: &'a Packing<'a>,
         most: u64,
         cancel: Option<&'a AtomicBool>,
     ) -> Self {
@@ -93,6 +99,7 @@ impl<'a> Refutation<'a> {
             activity,
             weight: 1.0,
             is_full: false,
+            has_supposed: false,
             told: None,
             told_as: Vec::new(),
         }
@@ -105,7 +112,15 @@ impl<'a> Refutation<'a> {
             Ok(()) => {}
             Err(conflict) => return Some(self.used(conflict.0)),
         }
-        match self.search(0, 0, None) {
+        let mut end = self.search(0, 0, None);
+        if matches!(end, End::Open) && !self.stopped() {
+            end = match self.signs() {
+                Ok(false) => End::Open,
+                Ok(true) => self.search(0, 0, None),
+                Err(conflict) => self.refuted(conflict.0, 0, 0),
+            };
+        }
+        match end {
             End::Refuted { rests, .. } => {
                 let event = self.state.event(EventKind::Excluded, &rests);
                 Some(self.used(event))
@@ -223,6 +238,7 @@ impl<'a> Refutation<'a> {
                 continue;
             };
             let mark = self.state.mark();
+            self.has_supposed = true;
             let event = self.state.event(EventKind::Supposed, &[]);
             let tried = match supposition {
                 Supposition::Claim(claim) => self.state.decide(claim, &[event]),
@@ -250,11 +266,59 @@ impl<'a> Refutation<'a> {
         }
     }
 
+    /// Tries each sign that is open and matters by itself, and excludes what cannot be; whether anything was. So many signs
+    /// cost as much as they are, and not as many as their combinations.
+    fn signs(&mut self) -> Result<bool, Conflict> {
+        let most = self.state.work + self.most / SIGNS_WORK;
+        let mut open: Vec<(Var, f64)> = Vec::new();
+        for kind in &self.problem.kinds[..self.first_row] {
+            let UnknownKind::Apply(Function::Abs, a, _) = kind else { continue };
+            let domain = self.state.domain[a.var as usize];
+            let zero = a.solve(Interval::point(0.0)).lo;
+            let wide = zero > domain.lo + WIDE && zero < domain.hi - WIDE && domain.magnitude().is_finite();
+            if a.var != 0 && wide && !open.contains(&(a.var, zero)) {
+                open.push((a.var, zero));
+            }
+        }
+        if open.len() > MOST_SIGNS {
+            return Ok(false);
+        }
+        let mut any = false;
+        for (var, zero) in open {
+            for upper in [false, true] {
+                if self.state.work > most || self.stopped() {
+                    return Ok(any);
+                }
+                let [half, rest] = match upper {
+                    true => [Interval::to(zero), Interval::from(zero)],
+                    false => [Interval::from(zero), Interval::to(zero)],
+                };
+                let mark = self.state.mark();
+                let event = self.state.event(EventKind::Supposed, &[]);
+                let tried = self.state.bound(var, half, &[event]).and_then(|()| self.consequences(1));
+                let end = tried.err().map(|conflict| {
+                    self.has_supposed = true;
+                    self.refuted(conflict.0, event, 1)
+                });
+                self.state.back(mark);
+                let Some(End::Refuted { rests, by_supposition }) = end else { continue };
+                self.forget(mark.event);
+                any = true;
+                if !by_supposition {
+                    return Err(Conflict(self.state.event(EventKind::Excluded, &rests)));
+                }
+                self.state.bound(var, rest, &rests)?;
+            }
+        }
+        Ok(any)
+    }
+
     /// What of a conflict lies before the supposition `start`, and whether it needs that.
     fn refuted(&mut self, conflict: EventId, start: EventId, depth: usize) -> End {
         self.tell(conflict, depth);
-        self.is_full =
-            depth == 0 && matches!(self.state.what(conflict), EventKind::Conflict(Rule::Packing | Rule::Beside { .. }));
+        self.is_full = depth == 0
+            && !self.has_supposed
+            && matches!(self.state.what(conflict), EventKind::Conflict(Rule::Packing | Rule::Beside { .. }));
         self.weight *= 1.05;
         let mut seen = vec![false; (conflict - start) as usize + 1];
         let mut open = vec![conflict];

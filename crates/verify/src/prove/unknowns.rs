@@ -7,7 +7,7 @@
 
 use super::interval::Interval;
 use super::tape::{Claim, Term, implies, open, range, unknown};
-use super::usual::{Usual, carries_on_top};
+use super::usual::{Usual, carries_on_top, core_of};
 use crate::builtins::Call;
 use crate::eval::{Cause, EvalError, Oracle, Scratch, Value, Values};
 use crate::eval::{Truth, rectangle};
@@ -16,12 +16,13 @@ use crate::tolerances::Options;
 use crate::vector::{M3, V3};
 use crate::world::{Body, ObjectInstance, RegionInstance, World};
 use rustc_hash::{FxHashMap, FxHashSet};
+use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
     DrawId, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit,
     VariableKind,
 };
-use scenelang_layout::Prism;
 use scenelang_layout::file::LARGEST;
+use scenelang_layout::{Geometry, Prism};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -426,6 +427,22 @@ impl<'p> Unknowns<'p> {
         self.world.regions[id.0 as usize].clone().expect("every region is there")
     }
 
+    /// A box that is solid for sure: that of the object, or a part of it about its middle axis.
+    pub fn solid_of(&self, id: ObjectId) -> Option<ObjectInstance<Term>> {
+        let thing = self.thing(id);
+        if is_box(self.program, &self.options, id) {
+            return Some(thing);
+        }
+        if !self.usual.is_some_and(|usual| usual.shapes && usual.upright[id.0 as usize]) {
+            return None;
+        }
+        let [Some(w), Some(h), Some(d)] = thing.scale.0.map(Term::known) else { return None };
+        let ([w, d], [from, to]) = core_of(&self.program.objects[id.0 as usize], [w, h, d])?;
+        let mut pos = thing.pos;
+        pos.0[1] = pos.0[1] + Term::constant(from);
+        Some(ObjectInstance { pos, scale: V3([w, to - from, d].map(Term::constant)), ..thing })
+    }
+
     /// Whether a region's walls are along the axes of the world.
     pub fn is_straight(&self, id: RegionId) -> bool {
         self.yaws[id.0 as usize].map(Term::known) == [Some(1.0), Some(0.0)]
@@ -440,6 +457,7 @@ impl<'p> Unknowns<'p> {
             let (center, reach) = (thing.center().0[1], thing.reach().0[1]);
             let (height, program) = (thing.scale.0[1], self.program);
             let least = match self.usual {
+                Some(usual) if !usual.shapes => Term::constant(0.0),
                 Some(_) if carries_on_top(&program.objects[id.0 as usize]) => height,
                 Some(_) => height.scale(LOWEST_SURFACE),
                 None => Term::constant(0.0),
@@ -674,6 +692,12 @@ impl Oracle<Term> for Unknowns<'_> {
             _ => truth(open()),
         })
     }
+}
+
+/// Whether the solid of an object is its box for sure: it is asked to be, or nothing says what kind of thing it is.
+pub(crate) fn is_box(program: &Program, options: &Options, object: ObjectId) -> bool {
+    let object = &program.objects[object.0 as usize];
+    options.geometry == Geometry::Box || object.category.is_empty() && furniture_size(&object.name).is_none()
 }
 
 /// A verdict without a margin.

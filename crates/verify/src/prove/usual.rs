@@ -5,14 +5,14 @@
 //! is decided by the whole program, so that no choice among its statements changes it.
 
 use crate::eval::{cone, objects_of};
-use scenelang_lang::library::{usual_size, words};
+use scenelang_lang::library::usual_size;
 use scenelang_lang::program::{
     Arith, Axis, Constraint, ConstraintKind, Formula, Function, Node, NodeId, Object, ObjectId, ObjectProperty, Owner,
     Pinned, Program, RegionId, RegionProperty,
 };
 use scenelang_lang::roles::role_of;
+use scenelang_lang::solids::solid_of;
 use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
 
 /// A conjunction of more parts is looked at as one.
 const MOST_PARTS: usize = 64;
@@ -34,6 +34,8 @@ pub(crate) struct Usual {
     pub on_the_ground: Vec<bool>,
     /// The region whose middle is taken for the origin of x and z: nothing in the program depends on where that is.
     pub origin: Option<RegionId>,
+    /// Whether furniture is solid where that of `solve` is, and has its surface where that has it.
+    pub shapes: bool,
 }
 
 impl Usual {
@@ -57,178 +59,18 @@ impl Usual {
             unturned: regions().map(|r| !said(r, &[Rot])).collect(),
             on_the_ground: regions().map(|r| !said(r, &[Pos, Floor, Ceiling, Center])).collect(),
             origin: regions().next().filter(|_| is_relative(program)),
+            shapes: true,
         }
     }
 }
 
-/// What is solid of the assets of a kind, all of their footprint but for [`EDGE`]: from which to which part of the height.
-/// Storage and appliances count as full: nothing stands in them that the program does not put there. Kinds by their role;
-/// a word of their name decides where it is listed. A test in `synth` holds this to the assets.
-const SOLID: &[(&str, [f64; 2])] = &[
-    ("storage", [0.25, 0.99]),
-    ("appliance", [0.02, 0.98]),
-    ("table", [0.975, 0.99]),
-    ("desk", [0.975, 0.99]),
-    ("counter", [0.975, 0.99]),
-];
-const SOLID_BY_WORD: &[(&str, [f64; 2])] = &[
-    ("crate", [0.02, 0.98]),
-    ("box", [0.02, 0.98]),
-    ("rack", [0.99, 1.0]),
-    ("shelf", [0.99, 1.0]),
-    ("shelving", [0.99, 1.0]),
-    ("bookshelf", [0.99, 1.0]),
-    ("bookcase", [0.99, 1.0]),
-    ("sofa", [0.05, 0.42]),
-    ("loveseat", [0.05, 0.42]),
-    ("armchair", [0.05, 0.42]),
-    ("recliner", [0.0, 0.0]),
-    ("chair", [0.0, 0.0]),
-    ("bed", [0.06, 0.22]),
-    ("table", [0.975, 0.99]),
-    ("desk", [0.975, 0.99]),
-    ("bench", [0.0, 0.0]),
-    ("stool", [0.0, 0.0]),
-    ("gondola", [0.0, 0.0]),
-];
-/// Of these there are many shapes: only with such words before them, or none.
-const MANY_SHAPES: &[&str] = &["rack", "shelf", "shelving", "bed"];
-const PLAIN: &[&str] = &[
-    "storage",
-    "pallet",
-    "warehouse",
-    "steel",
-    "metal",
-    "wooden",
-    "dining",
-    "kitchen",
-    "school",
-    "visitor",
-    "conference",
-    "double",
-    "single",
-    "twin",
-    "queen",
-    "king",
-    "white",
-];
-/// Words of which nothing is known: other shapes.
-const OTHER: &[&str] = &[
-    "round",
-    "oval",
-    "circular",
-    "curved",
-    "corner",
-    "bistro",
-    "cream",
-    "pedestal",
-    "coat",
-    "dumbbell",
-    "wine",
-    "hood",
-    "safe",
-    "lectern",
-    "podium",
-    "bar",
-    "exam",
-    "massage",
-    "operating",
-    "wall",
-    "hat",
-    "towel",
-    "book",
-    "horse",
-    "horseshoe",
-    "barrel",
-    "rail",
-    "cubby",
-    "cubbies",
-    "etagere",
-    "tree",
-    "hook",
-    "holder",
-    "library",
-    "stall",
-    "newsstand",
-    "produce",
-    "newspaper",
-    "unit",
-    "cube",
-    "cubicle",
-    "pulpit",
-    "rostrum",
-    "speaker",
-    "speaking",
-    "presentation",
-    "presenter",
-    "host",
-    "hostess",
-    "ping",
-    "tennis",
-    "ironing",
-    "fan",
-    "extractor",
-    "lamp",
-    "shoe",
-    "clothes",
-    "clothing",
-    "garment",
-    "shaped",
-    "sectional",
-    "mixing",
-    "lathe",
-    "washer",
-    "washing",
-    "dishwasher",
-    "glasswasher",
-    "dryer",
-    "laundry",
-    "jukebox",
-    "mini",
-    "minibar",
-    "cash",
-    "toy",
-    "play",
-    "pretend",
-    "changing",
-    "checkout",
-    "drafting",
-    "drawing",
-    "jewellery",
-    "jewelry",
-    "luggage",
-    "suitcase",
-    "refrigerated",
-    "display",
-    "door",
-];
-/// How far from the sides that is (metres).
-const EDGE: f64 = 0.03;
-/// Heights that are usual enough for what is solid to be where it usually is, as parts of the usual one.
-const USUAL: RangeInclusive<f64> = 0.79..=1.051;
-
 /// Width and depth of a box about the middle axis of a thing of a size (metres) that is solid whatever asset it gets,
-/// and from which to which height above its base that reaches. Nothing is known of most.
-pub fn core_of(object: &Object, [w, h, d]: [f64; 3]) -> Option<([f64; 2], [f64; 2])> {
-    let words = words(what(object));
-    let (last, before) = words.split_last()?;
-    let last = last.trim_end_matches('s');
-    let other = |word: &String| OTHER.contains(&word.as_str());
-    let is_plain = |word: &String| PLAIN.contains(&word.as_str());
-    let known = if MANY_SHAPES.contains(&last) { before.iter().all(is_plain) } else { !words.iter().any(other) };
-    if !object.features.is_empty() || !known {
-        return None;
-    }
-    let role = role_of(what(object));
-    let by_word = SOLID_BY_WORD.iter().find(|(word, _)| *word == last);
-    let [from, to] = by_word.or(SOLID.iter().find(|(of, _)| *of == role))?.1;
-    // Seats and tops have a height, or a thickness, that does not grow with the thing; boards at the very top end there.
-    let usual = usual_size(what(object)).is_some_and(|[_, usual, _]| USUAL.contains(&(h / usual)));
-    if to - from < 0.5 && from < 0.99 && !usual {
-        return None;
-    }
-    let size = [w, d].map(|s| s - 2.0 * EDGE);
-    (to > from && size[0].min(size[1]) > EDGE).then_some((size, [from * h, to * h]))
+/// and from which to which height above its base that reaches. Nothing is known of most, nor of what has features.
+pub fn core_of(object: &Object, size: [f64; 3]) -> Option<([f64; 2], [f64; 2])> {
+    let solid = solid_of(what(object), size).filter(|_| object.features.is_empty())?;
+    let [w, h, d] = size;
+    let plan = [w, d].map(|s| solid.plan.of(s));
+    (plan[0].min(plan[1]) > 0.0).then_some((plan, solid.heights.map(|part| part * h)))
 }
 
 /// Whether what stands on a thing stands on its top: no asset of its kind declares another surface.

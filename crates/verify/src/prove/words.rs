@@ -15,6 +15,10 @@ use scenelang_lang::roles::role_of;
 /// Of a contradiction that rests on what is usual.
 const AS_USUAL: &str = "this is impossible unless something is tilted or turned, or has an unusual size: the proof assumes that \
     rooms are not rotated, and that objects stand upright, rest on something and have their usual sizes, as in layouts made by `solve`";
+/// The same, of one that rests on the shapes of furniture, too.
+const WITH_SHAPES: &str = "this is impossible unless something is tilted or turned, has an unusual size, or is shaped so that \
+    another stands inside its box: the proof assumes that rooms are not rotated, and that objects stand upright, rest on something \
+    and have their usual sizes and shapes, as in layouts made by `solve`";
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
@@ -82,7 +86,7 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
         finding = finding.note(format!("it also follows from these: {}", list(rest)));
     }
     if found.as_usual {
-        finding = finding.note(AS_USUAL);
+        finding = finding.note(if found.shapes { WITH_SHAPES } else { AS_USUAL });
     }
     if let Some((first, _)) = found.sizes.first() {
         let name = |id: ObjectId| program.objects[id.0 as usize].name.as_str();

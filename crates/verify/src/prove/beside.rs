@@ -1,0 +1,265 @@
+//! Solids that cannot be on both sides of each other: two that overlap along one axis of the floor are apart along the
+//! other, and several that overlap pairwise along one need a row along the other that is long enough for all of them.
+//!
+//! That they overlap along an axis is known from where each may be: from the walls that they stand at, the zone that they
+//! are in, the narrow room.
+
+use super::packing::{Between, Packing, PackingRegion, is_upright, known_of, lower, of, short, upper};
+use super::problem::Affine;
+use super::state::{Conflict, EventId, EventKind, Rule, State};
+use rustc_hash::FxHashMap;
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Of more members than this, pairs are not looked at.
+pub(super) const MOST_PAIRED: usize = 24;
+/// How far a box may be turned off the axes of the world to stand along them here (the sine); it costs as much of its size.
+const SKEW: f64 = 2e-5;
+
+/// What of a member is solid along the axes of the floor, at least, and between which heights.
+struct Extent {
+    member: usize,
+    size: [f64; 2],
+    bottom: f64,
+    top: f64,
+    why: Vec<EventId>,
+}
+
+/// One that overlaps all the others of a row along the other axis.
+type Forced = FxHashMap<(usize, usize), Vec<EventId>>;
+
+impl Packing<'_> {
+    /// Conflicts and bounds from pairs and rows of members that do not overlap, for `reasons`.
+    pub(super) fn beside(
+        &self,
+        group: &PackingRegion<Affine>,
+        count: &[usize],
+        reasons: &[EventId],
+        state: &mut State,
+    ) -> Result<(), Conflict> {
+        if group.members.len() > MOST_PAIRED {
+            return Ok(());
+        }
+        let extents: Vec<Extent> = count.iter().filter_map(|&i| self.extent(group, i, state)).collect();
+        state.work += (extents.len() * extents.len()) as u64;
+        for axis in [0, 1] {
+            let mut forced = Forced::default();
+            for (n, a) in extents.iter().enumerate() {
+                for b in &extents[..n] {
+                    if let Some(why) = self.overlaps(group, [a, b], 1 - axis, state) {
+                        self.apart(group, [a, b], axis, &[reasons, &why].concat(), state)?;
+                        forced.insert((b.member, a.member), why);
+                    }
+                }
+            }
+            self.rows(group, &extents, &forced, axis, reasons, state)?;
+        }
+        Ok(())
+    }
+
+    fn extent(&self, group: &PackingRegion<Affine>, index: usize, state: &State) -> Option<Extent> {
+        let member = &group.members[index];
+        let core = member.core.filter(|_| is_upright(state, member) && of(state, member.up).lo >= 1.0)?;
+        let [w, d] = core.size.map(|s| of(state, s).lo);
+        let turn = member.turn.map(|t| of(state, t));
+        let turned = |i: usize| turn[i].magnitude() <= SKEW;
+        let size = match [turned(1), turned(0)] {
+            [true, _] => [w - SKEW * d, d - SKEW * w],
+            [_, true] => [d - SKEW * w, w - SKEW * d],
+            // A square in the disc in it.
+            _ => [w.min(d) * FRAC_1_SQRT_2; 2],
+        };
+        let mut why: Vec<EventId> = known_of(state, member).collect();
+        why.extend(member.turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
+        why.extend([upper(state, core.bottom), lower(state, core.top)]);
+        let (bottom, top) = (of(state, core.bottom).hi, of(state, core.top).lo);
+        Some(Extent { member: index, size: size.map(|s| s - self.contact), bottom, top, why })
+    }
+
+    /// Why two overlap in height and along an axis, if they do wherever they may be.
+    fn overlaps(
+        &self,
+        group: &PackingRegion<Affine>,
+        [a, b]: [&Extent; 2],
+        axis: usize,
+        state: &State,
+    ) -> Option<Vec<EventId>> {
+        let margin = 2.0 * self.contact;
+        let in_height = a.bottom < b.top - margin && b.bottom < a.top - margin;
+        let pair = (b.member.min(a.member), b.member.max(a.member));
+        if !in_height || group.excepted.binary_search(&pair).is_ok() {
+            return None;
+        }
+        let off = group.off(pair)?[axis];
+        let least = (a.size[axis] + b.size[axis]) / 2.0;
+        let mut why = [&a.why[..], &b.why].concat();
+        if of(state, off).magnitude() < least {
+            why.extend([lower(state, off), upper(state, off)]);
+            return Some(why);
+        }
+        let [p, q] = [a, b].map(|e| group.members[e.member].at[axis]);
+        if (of(state, p) - of(state, q)).magnitude() < least {
+            why.extend([p, q].iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
+            return Some(why);
+        }
+        None
+    }
+
+    /// Two that overlap otherwise are apart along an axis, on the side that is left.
+    fn apart(
+        &self,
+        group: &PackingRegion<Affine>,
+        [a, b]: [&Extent; 2],
+        axis: usize,
+        why: &[EventId],
+        state: &mut State,
+    ) -> Result<(), Conflict> {
+        let pair = (b.member.min(a.member), b.member.max(a.member));
+        let Some(off) = group.off(pair).map(|off| off[axis]) else { return Ok(()) };
+        let (space, of_space) = self.space(group, pair, state);
+        let least = (a.size[axis] + b.size[axis]) / 2.0 + space;
+        let between = of(state, off);
+        let mut why = why.to_vec();
+        why.extend(of_space);
+        if between.lo > -least && between.hi < least {
+            why.extend([lower(state, off), upper(state, off)]);
+            let [a, b] = [pair.0, pair.1].map(|i| self.name(group, i));
+            let say = if space > 0.0 {
+                format!("`{a}` and `{b}` are nearer than {} m wherever they stand", short(space))
+            } else {
+                format!("`{a}` and `{b}` overlap wherever they stand")
+            };
+            self.say(say);
+            return Err(Conflict(state.event(EventKind::Conflict(Rule::Packing), &why)));
+        }
+        let whole = if between.lo > -least && between.lo < least {
+            why.push(lower(state, off));
+            super::interval::Interval::from(least)
+        } else if between.hi < least && between.hi > -least {
+            why.push(upper(state, off));
+            super::interval::Interval::to(-least)
+        } else {
+            return Ok(());
+        };
+        state.bound(off.var, off.solve(whole), &why)
+    }
+
+    /// How far two that overlap in height and along an axis keep apart along the other beyond touching.
+    fn space(&self, group: &PackingRegion<Affine>, pair: (usize, usize), state: &State) -> (f64, Option<EventId>) {
+        let kept = group.between.iter().filter(|b| b.pair == pair && !b.of_centres);
+        let most = kept.map(|b| (of(state, b.length).lo, b)).max_by(|a, b| a.0.total_cmp(&b.0));
+        match most {
+            Some((space, between)) if space > 3.0 * self.contact => {
+                (space - 3.0 * self.contact, Some(lower(state, between.length)))
+            }
+            _ => (0.0, None),
+        }
+    }
+
+    /// Members of which any two overlap along the other axis stand in a row along this one.
+    fn rows(
+        &self,
+        group: &PackingRegion<Affine>,
+        extents: &[Extent],
+        forced: &Forced,
+        axis: usize,
+        reasons: &[EventId],
+        state: &mut State,
+    ) -> Result<(), Conflict> {
+        for seed in 0..extents.len() {
+            let mut row: Vec<&Extent> = vec![&extents[seed]];
+            for other in extents.iter().filter(|e| e.member != extents[seed].member) {
+                let pair = |e: &Extent| (e.member.min(other.member), e.member.max(other.member));
+                if row.iter().all(|e| forced.contains_key(&pair(e))) {
+                    row.push(other);
+                }
+            }
+            if row.len() > 2 {
+                self.row(group, &row, forced, axis, reasons, state)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn row(
+        &self,
+        group: &PackingRegion<Affine>,
+        row: &[&Extent],
+        forced: &Forced,
+        axis: usize,
+        reasons: &[EventId],
+        state: &mut State,
+    ) -> Result<(), Conflict> {
+        let pairs = || {
+            let n = row.len();
+            (0..n)
+                .flat_map(move |i| (i + 1..n).map(move |k| (row[i].member, row[k].member)))
+                .map(|(a, b)| (a.min(b), a.max(b)))
+        };
+        let spaces: Vec<(f64, Option<EventId>)> = pairs().map(|pair| self.space(group, pair, state)).collect();
+        let space = spaces.iter().map(|(space, _)| *space).fold(f64::INFINITY, f64::min);
+        let at = |e: &&Extent| of(state, group.members[e.member].at[axis]);
+        let (lo, hi) =
+            row.iter().map(at).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), i| (l.min(i.lo), h.max(i.hi)));
+        let mut sizes: Vec<f64> = row.iter().map(|e| e.size[axis]).collect();
+        sizes.sort_by(f64::total_cmp);
+        let gaps = (row.len() - 1) as f64;
+        // From the middle of the first to that of the last, if the two longest are these.
+        let ends = (sizes[row.len() - 1] + sizes[row.len() - 2]) / 2.0;
+        let needed = sizes.iter().sum::<f64>() - ends + gaps * space;
+        if needed <= hi - lo + 1e-9 {
+            return Ok(());
+        }
+        let mut why = reasons.to_vec();
+        why.extend(row.iter().flat_map(|e| e.why.iter().copied()));
+        why.extend(pairs().filter_map(|pair| forced.get(&pair)).flatten());
+        why.extend(spaces.iter().filter_map(|(_, of_space)| *of_space).filter(|_| space > 0.0));
+        for e in row {
+            let at = group.members[e.member].at[axis];
+            why.extend([lower(state, at), upper(state, at)]);
+        }
+        let members: Vec<usize> = row.iter().map(|e| e.member).collect();
+        // In words, what the boxes need.
+        let whole: Vec<f64> = row.iter().map(|e| self.reach(group, e.member, axis, state)).collect();
+        let least = whole.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = whole.iter().copied().fold(0.0, f64::max);
+        let need = whole.iter().sum::<f64>() + gaps * space;
+        let there = hi - lo + (whole[0] + whole[row.len() - 1]) / 2.0;
+        let each = if most - least < 0.005 { format!(" of {} m", short(most)) } else { String::new() };
+        let keep = if space > 0.0 { format!(" {} m apart", short(space + 3.0 * self.contact)) } else { String::new() };
+        let what = self.things(group, &members);
+        if need > there + 0.004 {
+            self.say(format!(
+                "{what}{each} in one row{keep} need {} m, but there is only room for {} m",
+                short(need),
+                short(there)
+            ));
+        } else {
+            self.say(format!("{what} do not fit beside each other{keep}"));
+        }
+        Err(Conflict(state.event(EventKind::Conflict(Rule::Packing), &why)))
+    }
+
+    /// How far the box of an upright member reaches along an axis.
+    fn reach(&self, group: &PackingRegion<Affine>, index: usize, axis: usize, state: &State) -> f64 {
+        let member = &group.members[index];
+        let [w, d] = [0, 2].map(|k| of(state, member.size[k]).lo);
+        match of(state, member.turn[1]).magnitude() <= SKEW {
+            true => [w, d][axis],
+            false if of(state, member.turn[0]).magnitude() <= SKEW => [d, w][axis],
+            false => w.min(d),
+        }
+    }
+}
+
+impl PackingRegion<Affine> {
+    /// How far the centre of the first of a pair is from that of the second, along the axes of the floor.
+    fn off(&self, pair: (usize, usize)) -> Option<[Affine; 2]> {
+        let at = self.pairs.binary_search_by_key(&pair, |(pair, _)| *pair).ok()?;
+        Some(self.pairs[at].1)
+    }
+
+    /// What is known of the way between two members.
+    pub(super) fn ways(&self, a: usize, b: usize) -> impl Iterator<Item = &Between<Affine>> {
+        self.between.iter().filter(move |between| between.pair == (a.min(b), a.max(b)))
+    }
+}
