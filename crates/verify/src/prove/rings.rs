@@ -1,11 +1,13 @@
 //! Things that keep a distance from each other and stand within a distance of one and the same thing: only so many do.
 //!
 //! Seen from above, their middles are points in a circle. How small a circle can be that holds so many points that are as
-//! far from each other is known (Graham, Melissen, Fodor).
+//! far from each other is known (Graham, Melissen, Fodor). Where the one in the middle keeps them off, they are in a ring, and
+//! any two of them are seen from there at an angle.
 
 use super::packing::{Packing, PackingRegion, is_upright, known_of, lower, of, short, upper};
 use super::problem::Affine;
 use super::state::{Conflict, EventId, EventKind, Rule, State};
+use std::f64::consts::TAU;
 
 /// The radius of the smallest circle that holds 2, 3, … points at distances of at least 1, rounded down.
 #[expect(clippy::approx_constant, reason = "some of them are roots, all of them are rounded down")]
@@ -24,6 +26,8 @@ struct Near {
     /// The distance that is said.
     said: f64,
     why: Vec<EventId>,
+    /// At least so far.
+    off: Kept,
 }
 
 /// A distance that two members keep.
@@ -31,6 +35,17 @@ struct Kept {
     length: f64,
     said: f64,
     why: Vec<EventId>,
+}
+
+/// The angle, at least, at which two points of a ring are seen from its middle that are so far from each other.
+fn angle([inner, outer]: [f64; 2], apart: f64) -> f64 {
+    if inner <= 0.0 || inner > outer {
+        return 0.0;
+    }
+    // The cosine is greatest where each of the two is at one of the edges of the ring.
+    let cosine = |a: f64, b: f64| (a * a + b * b - apart * apart) / (2.0 * a * b);
+    let most = cosine(inner, inner).max(cosine(inner, outer)).max(cosine(outer, outer));
+    most.clamp(-1.0, 1.0).acos()
 }
 
 impl Packing<'_> {
@@ -45,7 +60,7 @@ impl Packing<'_> {
         }
         for hub in 0..group.members.len() {
             let mut near: Vec<Near> =
-                (0..group.members.len()).filter_map(|i| self.near(group, hub, i, state)).collect();
+                (0..group.members.len()).filter_map(|i| self.near(group, hub, i, apart, state)).collect();
             if near.len() < 3 {
                 continue;
             }
@@ -78,11 +93,20 @@ impl Packing<'_> {
                     some.push(i);
                 }
                 let count = some.len();
-                let Some(smallest) = count.checked_sub(2).and_then(|c| SMALLEST.get(c)) else { continue };
-                if some.last() != Some(&i) || near[i].length >= (least - 1e-6) * smallest {
+                if some.last() != Some(&i) || count < 2 {
+                    continue;
+                }
+                let (inner, outer) =
+                    (some.iter().map(|&k| near[k].off.length).fold(near[i].length, f64::min), near[i].length);
+                let in_circle = SMALLEST.get(count - 2).is_none_or(|smallest| outer >= (least - 1e-6) * smallest);
+                let in_ring = count as f64 * angle([inner, outer], least - 1e-6) <= TAU + 1e-6;
+                if in_circle && in_ring {
                     continue;
                 }
                 let mut why: Vec<EventId> = some.iter().flat_map(|&k| near[k].why.iter().copied()).collect();
+                if in_circle {
+                    why.extend(some.iter().flat_map(|&k| near[k].off.why.iter().copied()));
+                }
                 for (m, &p) in some.iter().enumerate() {
                     why.extend(some[..m].iter().flat_map(|&q| kept[p][q].why.iter().copied()));
                 }
@@ -113,7 +137,14 @@ impl Packing<'_> {
     }
 
     /// A member within a distance of another: of their surfaces, or of their centres.
-    fn near(&self, group: &PackingRegion<Affine>, hub: usize, member: usize, state: &State) -> Option<Near> {
+    fn near(
+        &self,
+        group: &PackingRegion<Affine>,
+        hub: usize,
+        member: usize,
+        apart: Option<EventId>,
+        state: &State,
+    ) -> Option<Near> {
         if hub == member {
             return None;
         }
@@ -128,11 +159,13 @@ impl Packing<'_> {
                 why.extend(sizes.map(|s| upper(state, s)));
                 why.extend(both.iter().map(|m| lower(state, m.up)));
             }
-            Near { member, length, said, why }
+            (length, said, why)
         };
         let upright = both.iter().all(|m| is_upright(state, m) && of(state, m.up).lo >= 1.0);
-        let ways = group.ways(hub, member).filter(|b| b.of_centres || upright);
-        ways.map(of_way).filter(|n| n.length.is_finite()).min_by(|a, b| a.length.total_cmp(&b.length))
+        let ways = group.ways(hub, member).filter(|b| b.of_centres || upright).map(of_way);
+        let nearest = ways.filter(|(length, ..)| length.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0));
+        let (length, said, why) = nearest?;
+        Some(Near { member, length, said, why, off: self.kept(group, [hub, member], apart, state) })
     }
 
     /// The distance between the middles of two members, seen from above, at least.
