@@ -236,6 +236,7 @@ impl<'p> Packing<'p> {
             let inside: Vec<usize> =
                 (0..group.members.len()).filter(|&i| state.is_true(group.members[i].inside)).collect();
             state.work += group.members.len() as u64;
+            self.counts(problem, index, state)?;
             if inside.is_empty() {
                 continue;
             }
@@ -268,7 +269,6 @@ impl<'p> Packing<'p> {
             self.spaced(problem, index, &inside, state)?;
             let apart = state.is_true(group.apart).then(|| state.verdict_why[group.apart.index()]);
             self.rings(group, apart, state)?;
-            self.counts(problem, index, state)?;
         }
         Ok(())
     }
