@@ -245,7 +245,13 @@ impl<'n, 'b> It<'n, 'b> {
         if let Some(places) = named.drawn_up(a) {
             out.infer(format!("assert {places};"), "seats belong at their tables");
         }
-        let faces = |f: &Fact| matches!(f.what, FactKind::Rel(Rel::Facing, _)) && f.of.contains(&a) && !f.not;
+        // Desks that face the board of a class stand as they would without it.
+        let at_board =
+            |of: &[usize]| of.iter().all(|board| named.desks_before(a, *board) && !named.is_somewhere(*board));
+        let faces = |f: &Fact| match &f.what {
+            FactKind::Rel(Rel::Facing, of) => f.of.contains(&a) && !f.not && !at_board(of),
+            _ => false,
+        };
         if let Some(turned) = named.turned(a).filter(|_| !named.brief.facts.iter().any(faces)) {
             out.infer(turned, "rows are straight");
         }

@@ -11,7 +11,8 @@ use super::rows::{is_desk, rows};
 use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, watched_from};
 use super::{facing, groups, order, place, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
-use crate::draft::{Demand, DraftThing, OpeningKind, ThingOrigin};
+use crate::draft::{Demand, DraftThing, OpeningKind, Statement, ThingOrigin};
+use crate::names::mentions;
 use std::cell::{Cell, RefCell};
 
 /// So many counters stand near the door.
@@ -223,7 +224,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         _ => None,
     };
     let fewest = if is_table || own == Some(&PlanPlace::Middle) { 2 } else { 3 };
-    if let (Some(toward), true) = (in_rows, it.count >= fewest && !stand::placed(plan.draft, &it.name)) {
+    if let (Some(toward), true) = (in_rows, it.count >= fewest && !is_told(plan, &it.name)) {
         let clear = format!("againstWall(a, {})", plan.room_name());
         let is_mat = stand::group(&noun) == Group::Flat;
         if (is_mat || stand::on_floor(plan.draft, &it))
@@ -252,7 +253,8 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     // Several robots stand at the conveyor, as one does.
     let several =
         |line: &&Line| matches!(line.place, PlanPlace::Service(_) | PlanPlace::Before(_, 0.0)) && it.count <= SERVED;
-    let own_place = line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !plan.is_placed(thing));
+    let own_place =
+        line.filter(|line| (it.count == 1 || several(line)) && has_place(line) && !is_elsewhere(plan, thing));
     let at_wall_like = matches!(own, Some(PlanPlace::Wall | PlanPlace::Run)) && !apart;
     // Who serves stands behind a counter.
     let is_served =
@@ -299,6 +301,31 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// Whether the request says where or how a thing stands, other than that it looks at a board of which nothing is said.
+fn is_told(plan: &Plan, name: &str) -> bool {
+    let at_board = format!("forall a in {name}: sameWay(a, ");
+    let here = || plan.draft.things.iter().enumerate().filter(|(_, it)| it.room == Some(plan.room));
+    let is_free = |board: &str| here().any(|(at, it)| it.name == board && !plan.is_placed(at));
+    let counts = |s: &Statement| {
+        let board = s.text.split_once(&at_board).and_then(|(_, rest)| rest.split_once(')'));
+        !board.is_some_and(|(board, _)| is_free(board))
+    };
+    stand::placed_where(plan.draft, name, None, &counts)
+}
+
+/// Whether the request says where a thing stands, other than in the half of the room where it stands anyway: "a teacher's desk
+/// at the front".
+fn is_elsewhere(plan: &Plan, thing: usize) -> bool {
+    let it = &plan.draft.things[thing];
+    let half = format!("{0}.center.z >= {1}.center.z", it.name, plan.room_name());
+    let usual = format!("inside({}, {})", it.name, plan.room_name());
+    let stated = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
+    let mut about = stated.filter(|s| mentions(&s.text, &it.name));
+    let is_before = |line: &Line| matches!(line.place, PlanPlace::Before(_, 0.0));
+    let is_taught = plan.kind.is_taught() && line_of(plan, &it.category.replace('_', " ")).is_some_and(is_before);
+    plan.is_placed(thing) && !(is_taught && about.all(|s| s.text == half || s.text.contains(&usual)))
 }
 
 /// Whether something is said to stand behind a thing.

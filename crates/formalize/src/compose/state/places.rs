@@ -98,6 +98,9 @@ impl Named<'_> {
                     Place::Front => which.push("front".into()),
                     _ => {}
                 }
+                if self.is_turned_round(a, place) {
+                    which.iter_mut().for_each(|word| *word = opposite(word));
+                }
                 if let Some(text) = self.side(a, &which) {
                     say(text);
                 }
@@ -289,6 +292,26 @@ impl Named<'_> {
         (n > 1).then(|| format!("forall i in 1..{n}: dot({name}[i].front, {lead}.front) >= 0.9"))
     }
 
+    /// Whether the front of a room is where people in it look, and not where they come in: in a classroom the board is at the
+    /// front, wherever the door is.
+    fn is_turned_round(&self, a: usize, place: Place) -> bool {
+        use crate::furnish::kinds::{self, PlanPlace};
+        let thing = &self.brief.things[a];
+        let kind = self.brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
+        let Some(kind) = kind.filter(|kind| kind.is_taught() && !thing.opening()) else { return false };
+        // What such rooms have there is there by either word.
+        let noun = thing.name();
+        let is_before = |line: &kinds::Line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Before(..));
+        let has_there = kind.lines.iter().any(|line| is_before(line) && line.noun == noun);
+        place == Place::Front || place == Place::Back && !has_there
+    }
+
+    /// Whether the request says where in its room a thing is.
+    pub fn is_somewhere(&self, a: usize) -> bool {
+        let is_place = |f: &crate::brief::Fact| matches!(f.what, FactKind::Place(..)) && f.of.contains(&a) && !f.not;
+        self.brief.facts.iter().any(is_place)
+    }
+
     /// In which part of the room.
     fn side(&self, a: usize, which: &[String]) -> Option<String> {
         let room = self.room(a);
@@ -315,6 +338,15 @@ impl Named<'_> {
                 .collect();
             each.join(" and ")
         }))
+    }
+}
+
+/// Front for back, and back for front.
+fn opposite(word: &str) -> String {
+    match word {
+        "front" => "back".into(),
+        "back" => "front".into(),
+        other => other.into(),
     }
 }
 

@@ -165,6 +165,10 @@ impl Named<'_> {
         let far = |d: f64| move |x: &str, y: &str| format!("near({x}, {y}, {})", number(d));
         let pairs = |f: &dyn Fn(&str, &str) -> String| self.matched(said, f);
         match rel {
+            // Who sits at desks that face the board looks at it across the desk.
+            Rel::Facing if self.desks_before(a, b) => {
+                out.push(format!("{verb} {};", pairs(&call("sameWay"))));
+            }
             Rel::Facing if self.grid(a).is_some() => {
                 let (of, to) = (self.name(a), self.elements(b));
                 let to = to.first().map_or("", String::as_str);
@@ -212,6 +216,13 @@ impl Named<'_> {
             }
             _ => {}
         }
+    }
+
+    /// Whether these are desks of a class or a team, and the other is the board or the screen on a wall that all look at.
+    pub fn desks_before(&self, desks: usize, board: usize) -> bool {
+        let is_board = matches!(self.group(board), Group::Wall | Group::Screen) && self.counts[board] == 1;
+        let is_carried = |what: &FactKind| matches!(what, FactKind::Rel(Rel::On, _));
+        self.counts[desks] > 1 && self.sat_at(desks) && is_board && !self.said(board, is_carried)
     }
 
     /// Whether it is a desk at whose front its user sits.
