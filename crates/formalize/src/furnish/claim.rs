@@ -159,7 +159,8 @@ impl Plan<'_> {
     /// Whether it is said where a thing is, but in relation to `other` or to a window that goes where the thing is.
     fn is_said_elsewhere(&self, at: usize, other: Option<&str>) -> bool {
         let is_fixed = |s: &Statement| !daylight::is_moving_window(self, s);
-        stand::placed_where(self.draft, &self.draft.things[at].name, other, &is_fixed)
+        let name = &self.draft.things[at].name;
+        stand::placed_where(self.draft, name, other, &|s| is_fixed(s) && !carries(&s.text, name))
     }
 
     /// Whether a thing is asked for, has no place yet, and stands where something else might have it.
@@ -184,7 +185,8 @@ impl Plan<'_> {
         if optional && !self.draft.statements.iter().filter(about).any(|s| calls(&s.text).contains(&"behind")) {
             return false;
         }
-        self.draft.statements.iter().filter(about).filter(|s| !daylight::is_moving_window(self, s)).all(|s| {
+        let tells = |s: &&Statement| !daylight::is_moving_window(self, s) && !carries(&s.text, name);
+        self.draft.statements.iter().filter(about).filter(tells).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;
             calls(&s.text).iter().all(|call| match *call {
@@ -301,6 +303,11 @@ fn is_subject(text: &str, name: &str) -> bool {
     after("(") || after(" in ") || text.contains(&format!("{name}.")) || text.contains(&format!("{name}[i]."))
 }
 
+/// Whether a statement says only what stands on a thing: a lamp on each nightstand.
+fn carries(text: &str, name: &str) -> bool {
+    calls(text).iter().all(|call| *call == "restsOn") && text.contains("restsOn(") && !is_subject(text, name)
+}
+
 /// The names that are called in a statement.
 fn calls(text: &str) -> Vec<&str> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
@@ -401,7 +408,7 @@ fn fits(line: &Line, n: usize) -> bool {
 
 /// Over how many of a line's things so many seats can be spread, as many at each as usual or fewer, but not one alone;
 /// `None` where the line does not count people.
-fn spread(line: &Line, seats: usize) -> Option<usize> {
+pub(super) fn spread(line: &Line, seats: usize) -> Option<usize> {
     let Count::People(each) = line.count else { return None };
     let each = each as usize;
     (1..=each).rev().find(|k| seats.is_multiple_of(*k) && (*k > 1 || each == 1 || seats == 1)).map(|k| seats / k)

@@ -456,6 +456,15 @@ fn usual_number(
             // Those who sit in booths do not sit at tables.
             let booths = in_booths(brief, thing.room);
             let people = people.map_or(kind.people, |people| people.saturating_sub(booths) as f64);
+            // Each has as many of the chairs that are asked for, too.
+            let is_seat = |other: &Thing| other.room == thing.room && other.group == Group::Seat && other.number.many();
+            let even = || claim::spread(line, people as usize);
+            if thing.group == Group::Table
+                && brief.things.iter().any(is_seat)
+                && let Some(n) = even().filter(|n| *n > 1)
+            {
+                return Some(n);
+            }
             Some((people / each).ceil().max(2.0) as usize)
         }
         kinds::Count::Area(each)
