@@ -534,7 +534,13 @@ impl<'p> Packing<'p> {
         let loose = order.iter().map(|(_, kind)| kind.taken()).sum::<f64>() < WORTH_A_LOOK * floor[0] * floor[1];
         let placed = |(i, _): &(usize, ProbeBox)| !self.placing(problem, (index, *i)).claims.is_empty();
         if loose {
+            // Of those that are told where to stand, the ones of one size: of others the places seldom have points in common.
             order.retain(placed);
+            let alike = |a: &ProbeBox, b: &ProbeBox| (0..2).all(|i| (a.core[i] - b.core[i]).abs() < 1e-9);
+            let count = |kind: &ProbeBox| order.iter().filter(|(_, other)| alike(kind, other)).count();
+            let most = order.iter().map(|(_, kind)| count(kind)).max();
+            let kind = order.iter().find(|(_, kind)| Some(count(kind)) == most).map(|(_, kind)| *kind);
+            order.retain(|(_, other)| kind.as_ref().is_some_and(|kind| alike(kind, other)));
         }
         let missing = upright.len() - least;
         if order.len() < missing + 2 || loose && order.len() > MOST_PIERCED {

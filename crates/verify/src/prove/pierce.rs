@@ -10,6 +10,8 @@ const MOST_PLACES: usize = 2000;
 const MOST_CELLS: usize = 12_000;
 /// Places are told apart by one of these parts of the smaller side: the first that makes few enough of them.
 const FINE: [f64; 3] = [0.12, 0.2, 0.35];
+/// The same at first, where it costs little.
+const COARSE: f64 = 1.0;
 /// Points in a thing are tried at these parts of its sides, from the middle.
 const TRIED: [f64; 5] = [-0.48, -0.25, 0.0, 0.25, 0.48];
 /// A point is so far in a thing, at least (metres).
@@ -28,6 +30,11 @@ pub(super) fn guesses(
     may_be: &mut dyn FnMut(&Cell) -> bool,
     work: &mut u64,
 ) -> Vec<Points> {
+    // Where so many of it can stand without a common point, there is no smaller set of points.
+    let coarse = places(floor, kind, COARSE, may_be, work);
+    if coarse.is_some_and(|coarse| disjoint(&coarse, kind, fewer)) {
+        return Vec::new();
+    }
     let Some(places) = FINE.iter().find_map(|fine| places(floor, kind, *fine, may_be, work)) else { return Vec::new() };
     let mut out: Vec<Points> = Vec::new();
     for pair in SWEEPS.chunks(2) {
@@ -92,6 +99,21 @@ fn places(
         }
     }
     Some(out)
+}
+
+/// Whether some of the places, at least so many, have no point in common, whichever way the thing is turned there.
+fn disjoint(places: &[Pose], kind: &ProbeBox, least: usize) -> bool {
+    let apart = kind.core[0].hypot(kind.core[1]) + 2.0 * kind.space;
+    let mut taken: Vec<&Pose> = Vec::new();
+    for place in places {
+        if taken.iter().all(|other| (place[0] - other[0]).hypot(place[1] - other[1]) > apart) {
+            taken.push(place);
+        }
+        if taken.len() >= least {
+            return true;
+        }
+    }
+    false
 }
 
 /// Points so that each place has one, by a sweep; nothing, where that takes more than `most`.
