@@ -48,6 +48,7 @@ const AT_ISLAND: usize = 3;
 
 /// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
 pub fn seats(brief: &mut Brief) {
+    share_places(brief);
     seats_at_each(brief);
     gather_on_floor(brief);
     let people = brief.rooms.iter().find_map(|room| room.people);
@@ -86,6 +87,23 @@ pub fn seats(brief: &mut Brief) {
     }
     let id = push(brief, brief.things[table].room, "chair", people, &why);
     brief.facts.push(Fact::new(vec![id], FactKind::Rel(Rel::Around, vec![table]), ThingOrigin::Inferred(why)));
+}
+
+/// "For 80 guests with ten round tables": eight sit at each.
+fn share_places(brief: &mut Brief) {
+    const AT_EACH: std::ops::RangeInclusive<usize> = 3..=12;
+    let Some((room, people)) = brief.rooms.iter().enumerate().find_map(|(at, room)| Some((at, room.people?))) else {
+        return;
+    };
+    let is_table =
+        |i: &Thing| i.room == room && i.group == Group::Table && i.head().ends_with("table") && i.part.is_none();
+    let tables: Vec<usize> = (0..brief.things.len()).filter(|at| is_table(&brief.things[*at])).collect();
+    let [table] = tables[..] else { return };
+    let thing = &mut brief.things[table];
+    let each = thing.number.said().filter(|n| *n > 1 && people.is_multiple_of(*n)).map(|n| people / n);
+    if let Some(each) = each.filter(|each| AT_EACH.contains(each) && thing.places.is_none()) {
+        thing.places = Some(each);
+    }
 }
 
 /// Several bean bags of which nothing else is said stand around a low table.

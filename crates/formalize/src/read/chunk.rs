@@ -308,6 +308,10 @@ pub fn look_at(rest: &[Token]) -> Option<(LookWord, usize)> {
                 Some((LookWord::Material, n + more))
             }
             _ if matches!(rest[0].text.as_str(), "dark" | "pale" | "bright" | "light") => Some((LookWord::Color, n)),
+            // "A steel table".
+            _ if n == 1 && matches!(rest[0].text.as_str(), "steel" | "brick" | "slate") => {
+                Some((LookWord::Material, n))
+            }
             _ => Some((if kind == LookWord::Shade { LookWord::Feature } else { kind }, n)),
         };
     }

@@ -53,10 +53,18 @@ fn tires(tokens: &mut Vec<Token>, i: usize) -> bool {
     let counted = kind.checked_sub(1).and_then(|k| count(&tokens[k..=k])).is_some();
     let words = |n: usize| kind.checked_sub(n).map(|from| (from..kind).map(|k| word(tokens, k)).collect::<Vec<_>>());
     let stacked = matches!(words(3).as_deref(), Some(["a", "stack" | "pile" | "set", "of"]));
-    if counted {
+    let so_many = matches!(words(4).as_deref(), Some(["a", "stack" | "pile" | "set", "of", _])) && counted;
+    if counted && !so_many {
         return false;
     }
-    let from = if stacked { kind - 3 } else { kind };
+    let from = kind
+        - if so_many {
+            4
+        } else if stacked {
+            3
+        } else {
+            0
+        };
     let to = i + 1 + usize::from(matches!(word(tokens, i + 1), "stacked" | "piled"));
     put(tokens, from, to, &["a", "tire", "stack"]);
     true

@@ -18,8 +18,8 @@ const SHARED: &str = "three";
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] =
-        [own_bedroom, one_bedroom, in_rooms, whose, lives, own_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] =
+        [own_bedroom, one_bedroom, rooms_listed, in_rooms, whose, lives, own_kitchen];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -44,6 +44,17 @@ fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
         _ => return false,
     }
     true
+}
+
+/// "Three rooms: a living room, a bedroom and a kitchen": these, and not three more.
+fn rooms_listed(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let counted = count(tokens.get(i..i + 1).unwrap_or_default()).is_some() && word(tokens, i + 1) == "rooms";
+    let listed = tokens.get(i + 2).is_some_and(|t| matches!(t.kind, WordKind::Sign(':')));
+    let said = counted && listed && word(tokens, i + 3) == "a" && room(tokens, i + 4).is_some();
+    if said {
+        tokens.drain(i..i + 3);
+    }
+    said
 }
 
 /// Where the name of a kind of room ends that begins here.
@@ -214,6 +225,7 @@ mod tests {
                 "two bedrooms, one with a desk and one with a crib",
                 "two bedrooms . the first bedroom has a desk . the second bedroom has a crib",
             ),
+            ("a flat with two rooms: a bedroom and a kitchen", "a flat with a bedroom and a kitchen"),
             ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
             ("a bedroom for my twin daughters", "a bedroom for twin daughters"),
             ("a studio where a couple sleeps and works", "a studio for a couple with a desk"),

@@ -9,11 +9,69 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if on_which(tokens, i) || list_stands(tokens, i) || another(tokens, i) {
+        return true;
+    }
     let begins = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':'));
     if i > 0 && !begins(&tokens[i - 1]) {
         return false;
     }
     carrier(tokens, i) || fragment(tokens, i)
+}
+
+/// "A sofa faces the TV stand, on which a television sits": a television sits on the TV stand.
+fn on_which(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 5;
+    let which = tokens[i].is(",") && word(tokens, i + 1) == "on" && word(tokens, i + 2) == "which";
+    let named = |from: &usize| matches!(word(tokens, *from), "a" | "an" | "the") && thing(tokens, *from) == Some(i);
+    let Some(from) = (i.saturating_sub(FAR)..i).find(named).filter(|_| which) else { return false };
+    let lies = |end: &usize| matches!(word(tokens, *end), "sits" | "stands" | "lies" | "rests" | "is");
+    let Some(end) = thing(tokens, i + 3).filter(lies) else { return false };
+    // What the sentence begins with is the subject of the rest, too.
+    let starts = from == 0 || !tokens[from - 1].word();
+    if starts && tokens.get(end + 1).is_some_and(|t| t.is(",")) {
+        return false;
+    }
+    let carrier: Vec<String> = tokens[from + 1..i].iter().map(|t| t.text.clone()).collect();
+    let carrier: Vec<&str> = ["on", "the"].into_iter().chain(carrier.iter().map(String::as_str)).collect();
+    let verb = tokens[end].text.clone();
+    put(tokens, end, end + 1, &[&[verb.as_str()], &carrier[..]].concat());
+    put(tokens, i, i + 3, &["."]);
+    tokens[i].kind = WordKind::Sign('.');
+    true
+}
+
+/// "A table and a plant stand in the corner": no plant stand.
+fn list_stands(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 4;
+    let related = |i: usize| tokens.get(i..).is_some_and(|rest| !rest.is_empty() && get().relation(rest).is_some());
+    if word(tokens, i) != "stand" || i < 3 || !related(i + 1) {
+        return false;
+    }
+    let name = format!("{} stand", word(tokens, i - 1));
+    if get().noun(&name).is_none() && scenelang_lang::nouns::noun(&name).is_none() {
+        return false;
+    }
+    let clause = (0..i).rev().take_while(|k| tokens[*k].word() || tokens[*k].is(",")).last().unwrap_or(i);
+    let and = (i.saturating_sub(FAR)..i).rev().find(|k| word(tokens, *k) == "and");
+    let counted =
+        |k: usize| matches!(word(tokens, k), "a" | "an" | "the") || super::number::small(word(tokens, k)).is_some();
+    let has_verb = (clause..i).any(|k| tokens[k].is("with") || get().verb(&tokens[k..=k]).is_some());
+    if !and.is_some_and(|and| counted(and + 1)) || !counted(clause) || has_verb {
+        return false;
+    }
+    put(tokens, i, i + 1, &["are"]);
+    true
+}
+
+/// "A third chair": another one.
+fn another(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "a" && matches!(word(tokens, i + 1), "second" | "third" | "fourth" | "fifth");
+    if !said || thing(tokens, i + 2).is_none() {
+        return false;
+    }
+    put(tokens, i, i + 2, &["another"]);
+    true
 }
 
 /// Where the noun phrase of a thing ends that begins here.
@@ -126,6 +184,13 @@ mod tests {
                 "the counter, on which a lamp, a vase and a clock stand, is here",
                 "the counter with a lamp , a vase and a clock on top . the counter is here",
             ),
+            (
+                "a sofa faces the tv stand, on which a television sits.",
+                "a sofa faces the tv stand . a television sits on the tv stand .",
+            ),
+            ("a table and a plant stand in the corner", "a table and a plant are in the corner"),
+            ("there is a table and a plant stand in the corner", "there is a table and a plant stand in the corner"),
+            ("a third chair stands here", "another chair stands here"),
             ("a desk and a chair along the wall.", "a desk and a chair stand along the wall ."),
             ("a table with four chairs stands here", "a table with four chairs stands here"),
             ("a sofa with a cushion, and a lamp stands here", "a sofa with a cushion , and a lamp stands here"),

@@ -68,6 +68,10 @@ fn told(tokens: &[Token], of: &Counted, i: usize) -> usize {
 /// Whether the sentence goes on here with where things are or what they do.
 pub(super) fn goes_on(tokens: &[Token], i: usize) -> bool {
     let Some(rest) = tokens.get(i..).filter(|rest| rest.first().is_some_and(Token::word)) else { return false };
+    // "Three round tables".
+    if noun(tokens, i).is_some() {
+        return false;
+    }
     if let Some((_, n)) = get().relation(rest) {
         // "One above the other", "4 by 5 m", "one on each side", "two of the".
         let next = rest.get(n..).unwrap_or_default();
@@ -77,7 +81,7 @@ pub(super) fn goes_on(tokens: &[Token], i: usize) -> bool {
         let parted = rest[..n].iter().chain(next.first()).any(of_parts) || second == "other";
         return n > 0 && !size && !parted;
     }
-    get().verb(rest).is_some() && noun(tokens, i).is_none()
+    get().verb(rest).is_some()
 }
 
 /// What separates the parts of a list.
@@ -124,6 +128,22 @@ fn of_them(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// How many of so many a part speaks of that begins here, and where its looks begin: "two of them are", "the other is".
+fn share(tokens: &[Token], k: usize, left: usize) -> Option<(usize, usize)> {
+    let (n, mut at) = match [word(tokens, k), word(tokens, k + 1)] {
+        ["the", "others" | "rest"] => (left, k + 2),
+        ["the", "other"] => match number(tokens, k + 2) {
+            Some(n) => (n, k + 3),
+            None => (left, k + 2 + usize::from(matches!(word(tokens, k + 2), "one" | "ones"))),
+        },
+        _ => (number(tokens, k)?, k + 1),
+    };
+    if word(tokens, at) == "of" && matches!(word(tokens, at + 1), "them" | "which") {
+        at += 2;
+    }
+    Some((n, at + usize::from(matches!(word(tokens, at), "is" | "are"))))
+}
+
 /// "Three chairs, two red and one blue": two red chairs and one blue chair.
 fn looks(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some(all) = number(tokens, i).filter(|n| *n > 1) else { return false };
@@ -136,33 +156,31 @@ fn looks(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let own: Vec<String> = tokens[i + 1..noun.start].iter().map(|t| t.text.clone()).collect();
     let (mut k, mut sum, mut parts) = (noun.end + 1, 0, Vec::new());
-    while let Some(n) = number(tokens, k) {
-        let of = if word(tokens, k + 1) == "of" && word(tokens, k + 2) == "them" { 2 } else { 0 };
-        let be = usize::from(matches!(word(tokens, k + 1 + of), "is" | "are"));
-        let from = k + 1 + of + be;
+    while let Some((n, from)) = share(tokens, k, all - sum) {
         let to =
             from + tokens[from.min(tokens.len())..].iter().take_while(|t| t.word() && get().is_look(&t.text)).count();
-        if to == from || to > from + 2 {
+        if to == from || to > from + 2 || n + sum > all {
             return false;
         }
         parts.push((n, from..to));
         sum += n;
-        k = to + usize::from(tokens.get(to).is_some_and(|t| t.is(",")) && number(tokens, to + 1).is_some());
-        k += usize::from(
-            tokens.get(to).is_some_and(|t| t.is(","))
-                && word(tokens, to + 1) == "and"
-                && number(tokens, to + 2).is_some(),
-        ) * 2;
-        k += usize::from(word(tokens, to) == "and" && number(tokens, to + 1).is_some());
-        if k == to {
+        let comma = usize::from(tokens.get(to).is_some_and(|t| t.is(",")));
+        let next = to + comma + usize::from(word(tokens, to + comma) == "and");
+        k = to;
+        if next > to && sum < all && share(tokens, next, all - sum).is_some() {
+            k = next;
+        } else {
             break;
         }
     }
     let ends = tokens
         .get(k)
         .is_none_or(|t| !t.word() || get().verb(&tokens[k..]).is_some() || get().relation(&tokens[k..]).is_some());
-    if parts.len() < 2 || sum != all || !ends {
+    if parts.is_empty() || parts.len() == 1 && sum == all || !ends {
         return false;
+    }
+    if sum < all {
+        parts.push((all - sum, 0..0));
     }
     let mut said: Vec<String> = Vec::new();
     for (at, (n, look)) in parts.iter().enumerate() {
@@ -351,6 +369,9 @@ mod tests {
                 "four paintings on the left wall and three paintings on the right wall",
             ),
             ("three chairs, two red and one blue.", "2 red chairs and 1 blue chair ."),
+            ("three chairs, one of which is red", "1 red chair and 2 chairs"),
+            ("two chairs. one is red and the other is blue.", "1 red chair and 1 blue chair ."),
+            ("ten chairs. three round tables stand here", "ten chairs . three round tables stand here"),
             ("two lamps, one tall and one short, stand here", "1 tall lamp and 1 short lamp stand here"),
             (
                 "four shelves, two of them by the door, the others by the window",

@@ -2,7 +2,7 @@
 
 use super::Named;
 use super::relations::{ACROSS, BEFORE, DRAWN_UP, NEAR, predicate};
-use crate::brief::{FactKind, Group, Place, Rel};
+use crate::brief::{FactKind, Group, Pattern, Place, Rel};
 use crate::compose::sizes;
 use crate::write::number;
 
@@ -50,6 +50,10 @@ impl Named<'_> {
                 if matches!(gb, Group::Wall | Group::Door | Group::Window) && !shelf {
                     // On a door, on a window: as near as it can be.
                     out.push(format!("{verb} {};", pairs(&far(0.3))));
+                } else if self.counts[a] > 1 && m == 1 && self.said(a, |w| *w == FactKind::Pattern(Pattern::Stacked)) {
+                    // Of a stack only the lowest is there.
+                    let lowest = call(self.carried(a, b))(&format!("{}[0]", self.name(a)), &self.name(b));
+                    out.push(format!("{verb} {lowest};"));
                 } else {
                     out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
                 }
