@@ -79,6 +79,14 @@ pub fn plain(tokens: &mut Vec<Token>) {
     }
 }
 
+/// What a text is turned into.
+#[cfg(test)]
+pub(super) fn plainly(text: &str) -> String {
+    let mut tokens = super::token::tokens(text, 100).0;
+    plain(&mut tokens);
+    tokens.iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ")
+}
+
 pub(super) fn word(tokens: &[Token], i: usize) -> &str {
     tokens.get(i).filter(|t| t.word()).map_or("", |t| t.text.as_str())
 }

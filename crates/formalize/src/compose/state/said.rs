@@ -52,7 +52,7 @@ impl Named<'_> {
                     out.push(format!("{verb} {};", pairs(&far(0.3))));
                 } else if self.counts[a] > 1 && m == 1 && self.said(a, |w| *w == FactKind::Pattern(Pattern::Stacked)) {
                     // Of a stack only the lowest is there.
-                    let lowest = call(self.carried(a, b))(&format!("{}[0]", self.name(a)), &self.name(b));
+                    let lowest = call(self.carried(a, b))(&format!("{}[0]", self.name(a)), self.name(b));
                     out.push(format!("{verb} {lowest};"));
                 } else {
                     out.push(format!("{verb} {};", pairs(&call(self.carried(a, b)))));
