@@ -379,8 +379,13 @@ fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
 }
 
 /// Between rows and the side walls (metres): one gets past, at tables behind pulled chairs.
-fn beside(tables: bool) -> f64 {
-    if tables { BESIDE_TABLES } else { 0.9 }
+fn beside((racks, central, tables): (bool, bool, bool)) -> f64 {
+    match () {
+        () if racks => BEFORE_RACKS,
+        () if central => BESIDE_CENTRAL,
+        () if tables => BESIDE_TABLES,
+        () => 0.9,
+    }
 }
 
 /// How much room is around what is looked at or worked at from all sides (metres).
@@ -434,12 +439,8 @@ fn cells(
     let rack = !toward && stand::group(noun) == crate::brief::Group::Storage || noun.ends_with("rack");
     let aisle_of_racks = aisle(noun, size[0]);
     let table = stand::group(noun) == crate::brief::Group::Table;
-    let beside_each_other = !table && n <= BESIDE && is_central(plan, noun);
-    let side = match () {
-        () if rack => BEFORE_RACKS,
-        () if beside_each_other => BESIDE_CENTRAL,
-        () => beside(table && (back - front).abs() < 0.1),
-    };
+    let in_one_line = !table && n <= BESIDE && is_central(plan, noun);
+    let side = beside((rack, in_one_line, table && (back - front).abs() < 0.1));
     let ahead = match toward {
         true if flat => 1.3,
         true => before_rows(plan, table, d, d - side - cell_d),
@@ -471,8 +472,10 @@ fn cells(
         let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
         // As many seats on one side of the aisle as on the other.
         let columns = if aisle_of_seats > 0.0 { columns & !1 } else { columns };
-        let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
-        (columns, if beside_each_other { 1 } else { lines })
+        (
+            columns,
+            (((free_d + between) / (cell_d + between)) as usize).clamp(1, if in_one_line { 1 } else { usize::MAX }),
+        )
     };
     let enough = ways.iter().find(|way| counts(**way).0 * counts(**way).1 >= n).or(ways.last());
     let (aisle, between) = *enough?;

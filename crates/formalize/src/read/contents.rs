@@ -42,6 +42,11 @@ fn full_of(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     if kinds::of(word(tokens, i - 1)).is_some() && word(tokens, i) == "full" && group(tokens, i - 1).is_none() {
+        // "A library full of books with two tables".
+        let next = i + 2 + noun_phrase(after, true).map_or(0, |(_, used)| used);
+        if word(tokens, next) == "with" {
+            put(tokens, next, next + 1, &["and"]);
+        }
         put(tokens, i, i + 2, &["with"]);
         return true;
     }
@@ -86,7 +91,8 @@ fn under_a_shelf(tokens: &mut Vec<Token>, i: usize) -> bool {
     let under = matches!(word(tokens, i), "under" | "beneath" | "below" | "underneath") && word(tokens, i + 1) == "a";
     let looks =
         tokens.get(i + 2..).unwrap_or_default().iter().take_while(|t| t.word() && get().is_look(&t.text)).count();
-    let said = under && word(tokens, i + 2 + looks) == "shelf";
+    let stands = matches!(word(tokens, i + 3 + looks), "on" | "in");
+    let said = under && word(tokens, i + 2 + looks) == "shelf" && !stands;
     if said {
         put(tokens, i + 2 + looks, i + 3 + looks, &["wall", "shelf"]);
     }
@@ -226,6 +232,8 @@ mod tests {
             ("a table covered in magazines", "a table holding magazines"),
             ("a bed covered with a quilt", "a bed covered with a quilt"),
             ("a room full of plants", "a room with plants"),
+            ("a library full of books with a desk", "a library with books and a desk"),
+            ("a box under a shelf on the desk", "a box under a shelf on the desk"),
             ("magazines are spread over the table", "magazines are on the table"),
             ("a speaker stands on a stand.", "a speaker stands on a speaker stand ."),
             ("a washer sits under a wooden shelf", "a washer sits under a wooden wall shelf"),

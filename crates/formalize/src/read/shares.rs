@@ -106,10 +106,17 @@ fn of_them(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let Some(all) = counted(tokens, i, 1) else { return false };
     let before = told(tokens, &all, i);
+    // "Four on the left wall and three on the right": the first are somewhere else.
+    let is_placed = (all.noun.end..i - 1).any(|k| get().relation(&tokens[k..]).is_some_and(|(_, n)| n > 0));
     let part = n + before <= all.n && n < all.n && (!and || before > 0);
     if part {
         insert(tokens, i + 1, &["of", "them"]);
-    } else if and && before == 0 && word(tokens, i + 1) != "of" && get().relation(&tokens[i + 1..]).is_some() {
+    } else if and
+        && before == 0
+        && word(tokens, i + 1) != "of"
+        && is_placed
+        && get().relation(&tokens[i + 1..]).is_some()
+    {
         let mut words: Vec<String> = tokens[all.noun].iter().map(|t| t.text.clone()).collect();
         if let Some(last) = words.last_mut().filter(|_| n == 1) {
             *last = singular(last);
@@ -361,6 +368,7 @@ mod tests {
                 "four paintings on the left wall and three on the right wall",
                 "four paintings on the left wall and three paintings on the right wall",
             ),
+            ("four plants and two on the sill", "four plants and two on the sill"),
             ("three chairs, two red and one blue.", "2 red chairs and 1 blue chair ."),
             ("three chairs, one of which is red", "1 red chair and 2 chairs"),
             ("two chairs. one is red and the other is blue.", "1 red chair and 1 blue chair ."),
