@@ -313,6 +313,8 @@ const AROUND_CENTRAL: f64 = 1.4;
 /// So many of them stand beside each other, with this much between what belongs to them and the walls (metres).
 const BESIDE: usize = 2;
 const BESIDE_CENTRAL: f64 = 0.5;
+/// Between the wall that people on mats look at and the first row of mats (metres).
+const BEFORE_MATS: f64 = 1.3;
 /// Between a stage and the first row (metres).
 const BEFORE_STAGE: f64 = 1.5;
 
@@ -361,7 +363,10 @@ fn lines_are_full(places: &[Pose]) -> bool {
 
 /// How much of the depth of a room is free before rows that look to the back; behind what is kept free before a counter there
 /// is room for a line of tables at least, which leaves `most`.
-fn before_rows(plan: &Plan, table: bool, depth: f64, most: f64) -> f64 {
+fn before_rows(plan: &Plan, (flat, table): (bool, bool), depth: f64, most: f64) -> f64 {
+    if flat {
+        return BEFORE_MATS;
+    }
     let counter = plan.kind.lines.iter().find_map(|line| match line.place {
         PlanPlace::Before(gap, yaw) if yaw == 180.0 && table => Some(gap + Plan::size(line.noun)[2] + 1.2),
         _ => None,
@@ -442,8 +447,7 @@ fn cells(
     let in_one_line = !table && n <= BESIDE && is_central(plan, noun);
     let side = beside((rack, in_one_line, table && (back - front).abs() < 0.1));
     let ahead = match toward {
-        true if flat => 1.3,
-        true => before_rows(plan, table, d, d - side - cell_d),
+        true => before_rows(plan, (flat, table), d, d - side - cell_d),
         false if rack => aisle_of_racks,
         false => side,
     } + farther;
@@ -472,10 +476,8 @@ fn cells(
         let columns = (((free_w + aisle) / (cell_w + aisle)) as usize).max(1);
         // As many seats on one side of the aisle as on the other.
         let columns = if aisle_of_seats > 0.0 { columns & !1 } else { columns };
-        (
-            columns,
-            (((free_d + between) / (cell_d + between)) as usize).clamp(1, if in_one_line { 1 } else { usize::MAX }),
-        )
+        let lines = (((free_d + between) / (cell_d + between)) as usize).max(1);
+        (columns, if in_one_line { 1 } else { lines })
     };
     let enough = ways.iter().find(|way| counts(**way).0 * counts(**way).1 >= n).or(ways.last());
     let (aisle, between) = *enough?;
