@@ -71,7 +71,9 @@ async function shoot(page) {
   const clip = await (await page.$(".stage")).boundingBox();
   const show = (shown) => page.$$eval(".labels, .tip, .toolbar, .hint", (over, shown) => over.forEach((e) => (e.style.visibility = shown ? "" : "hidden")), shown);
   await show(false);
-  const image = await page.screenshot({ encoding: "base64", clip });
+  // The canvas must have been put on the screen, and must keep its size: beyond the window the browser would resize the page.
+  await twoFrames(page);
+  const image = await page.screenshot({ encoding: "base64", clip, captureBeyondViewport: false });
   await show(true);
   return reader.evaluate(async (source) => {
     const image = new Image();
@@ -101,6 +103,7 @@ function colours(shot) {
 function difference(a, b) {
   return reader.evaluate((a, b) => {
     const [one, other] = [window.shots[a], window.shots[b]];
+    if (one.length !== other.length) throw new Error(`the pictures have ${one.length / 4} and ${other.length / 4} pixels`);
     let count = 0;
     for (let i = 0; i < one.length; i += 4) if (Math.max(...[0, 1, 2].map((k) => Math.abs(one[i + k] - other[i + k]))) > 24) count += 1;
     return (count * 4) / one.length;
@@ -114,6 +117,17 @@ async function settle(page) {
   // A pick waits for the next frame, and only then asks for one that shows it.
   await twoFrames(page);
   await page.waitForFunction(() => !window.scenelang.moving(), PATIENCE);
+}
+
+/** Waits until the picture is as it was, but for a share of its pixels: a page that is short of time shows late what has happened. */
+async function becomes(page, shot, share, what) {
+  let apart = 1;
+  for (let i = 0; i < 20 && apart >= share; i += 1) {
+    if (i > 0) await new Promise((done) => setTimeout(done, 500));
+    await settle(page);
+    apart = await difference(shot, await shoot(page));
+  }
+  assert.ok(apart < share, `${what}: ${apart} of the picture differs`);
 }
 
 const rowsOf = (page) => page.$$eval("button.row[data-row]", (rows) => rows.map((row) => ({ index: Number(row.dataset.row), text: row.querySelector(".text").textContent, margin: row.querySelector(".margin").textContent, verdict: ["holds", "fails", "unknown"].find((name) => row.classList.contains(name)) })));
@@ -206,7 +220,7 @@ checkOwn("a press on a door opens it, another closes it, and a selected object s
   const open_ = await shoot(page);
   assert.ok((await difference(closed, open_)) > 0.002);
   assert.deepEqual(await seek(0), []);
-  assert.ok((await difference(closed, await shoot(page))) < 0.001, "closed, it is as before");
+  await becomes(page, closed, 0.001, "closed, it is as before");
   assert.ok((await difference(closed, swept)) > 0.01, "the floor that the door sweeps is coloured");
 });
 
@@ -376,7 +390,7 @@ checkOwn("what a repair would move is shown where it would be, until it is calle
   assert.ok((await difference(plain, await shoot(page))) > 0.005, "a copy is seen");
   await send({ type: "ghost", ghosts: [] });
   assert.deepEqual(await ghosts(), []);
-  assert.ok((await difference(plain, await shoot(page))) < 0.002, "the room is as it was");
+  await becomes(page, plain, 0.002, "the room is as it was");
   // A new room has none.
   await send({ type: "ghost", ghosts: [there] });
   await send({ type: "scenelang-data", data: { ...data, glb: "none" }, uri: "file:///meeting.scene" });
@@ -428,6 +442,7 @@ checkOwn("an object is dragged, judged on its way, written once, and put back by
 checkOwn("Escape calls a drag off; a refusal puts the object back and says why", async (page) => {
   const data = fixtureData();
   const told = await inEditor(page, data, async ({ commit }) => (commit ? { error: "the layout cannot be written" } : { verdicts: { constraints: [], physical: [] } }));
+  await settle(page);
   const shot = await shoot(page);
   const [x, y] = await find(page, "sofa");
   await page.mouse.down();
@@ -439,9 +454,7 @@ checkOwn("Escape calls a drag off; a refusal puts the object back and says why",
   assert.deepEqual((await told("move")).filter(({ commit }) => commit), []);
   await page.mouse.move(2, 2);
   await page.waitForFunction(() => document.querySelector(".tip").hidden, PATIENCE);
-  await settle(page);
-  const apart = await difference(shot, await shoot(page));
-  assert.ok(apart < 0.01, `it is back: ${apart} of the picture differs`);
+  await becomes(page, shot, 0.01, "it is back");
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x - 60, y + 20, { steps: 5 });
