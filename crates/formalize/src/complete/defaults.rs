@@ -45,6 +45,10 @@ const FOR_ONE: [&str; 9] =
 const SAT_AT: [&str; 5] = ["table", "desk", "island", "counter", "bar"];
 /// So many sit at an island.
 const AT_ISLAND: usize = 3;
+/// So many sit at each of several tables.
+const AT_TABLE: usize = 4;
+/// So many sit at a bar; a larger party sits at tables.
+const AT_BAR: usize = 10;
 
 /// "For eight people": where there is a table and nothing is said of seats, so many chairs stand around it.
 pub fn seats(brief: &mut Brief) {
@@ -69,7 +73,9 @@ pub fn seats(brief: &mut Brief) {
     let seats_all = |i: &Thing| seats_all(i) || i.places.is_some() && i.head().ends_with("table");
     let works = |i: &Thing| i.places.is_none() && (i.words.last().is_some_and(|word| word == "desk") || for_one(i));
     let sat_at = |i: &Thing| i.words.last().is_some_and(|word| SAT_AT.iter().any(|end| word.ends_with(end)));
-    let sits = |i: &Thing| i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i);
+    let is_bar = |i: &Thing| people > AT_BAR && i.words.last().is_some_and(|word| word == "bar" || word == "counter");
+    let sits =
+        |i: &Thing| i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i) && !is_bar(i);
     let why = format!("{people} people sit there");
     let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");
     let table = match brief.things.iter().position(|i| sits(i) && !is_island(i)) {
@@ -83,6 +89,13 @@ pub fn seats(brief: &mut Brief) {
     // "A desk for two": side by side.
     if people == 2 && is(&brief.things[table], "desk") {
         brief.things[table].look.features.push("shared".into());
+        return;
+    }
+    // "Tables for sixty people": as many as they need.
+    if brief.things[table].number == Number::Plural && people > 2 * AT_TABLE {
+        brief.things[table].number = Number::Exactly(people.div_ceil(AT_TABLE));
+        brief.things[table].places = Some(AT_TABLE);
+        seats_at_each(brief);
         return;
     }
     let id = push(brief, brief.things[table].room, "chair", people, &why);

@@ -111,6 +111,7 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
             fit_horseshoe(plan, at);
             fit_screen(plan, at);
             fit_stage(plan, at);
+            fit_dance_floor(plan, at);
         }
         let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
@@ -187,6 +188,21 @@ fn fit_stage(plan: &mut Plan, at: usize) {
     let is_here = thing.room == Some(plan.room) && thing.count == 1;
     if let (Some(line), Some(size), true) = (line, thing.size, is_here) {
         plan.draft.things[at].size = Some(as_seen(plan, line, size));
+    }
+}
+
+/// A dance floor is large enough for a third of the guests, where nobody says how large it is.
+fn fit_dance_floor(plan: &mut Plan, at: usize) {
+    /// Square metres for each of those who dance, and the shortest and longest side (metres).
+    const EACH: f64 = 0.65;
+    const SIDES: [f64; 2] = [3.2, 8.0];
+    let thing = &plan.draft.things[at];
+    let usual = Plan::size(order::DANCE_FLOOR);
+    let is_usual = thing.category.replace('_', " ") == order::DANCE_FLOOR && thing.size == Some(usual);
+    if let Some(people) = plan.people.filter(|_| is_usual && thing.count == 1) {
+        let side = (people as f64 / 3.0 * EACH).sqrt().clamp(SIDES[0], SIDES[1]);
+        let side = (side * 10.0).round() / 10.0;
+        plan.draft.things[at].size = Some([side, usual[1], side]);
     }
 }
 
@@ -296,7 +312,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         by: line.map_or("", |line| line.by),
     };
     // A mat has a place of its own, on which nothing stands.
-    let is_mat = stand::group(&noun) == Group::Flat && noun.ends_with("mat") && !plan.is_placed(thing);
+    let is_mat = stand::group(&noun) == Group::Flat
+        && (noun.ends_with("mat") || noun == order::DANCE_FLOOR)
+        && !plan.is_placed(thing);
     if !(plan.ground.is_some() && (is_on_floor || is_mat) && give_place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);

@@ -9,7 +9,7 @@ use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
 use super::{FENCED, daylight};
 use crate::brief::Group;
-use crate::draft::{Demand, Draft, Statement, ThingOrigin};
+use crate::draft::{Demand, Draft, DraftThing, Statement, ThingOrigin};
 use crate::names::{mentions, words};
 
 /// Groups of groups: so deep.
@@ -23,6 +23,8 @@ const FACING: f64 = 0.05;
 const SECOND: f64 = 0.25;
 /// A requested rug that is smaller than usual, because there is no room for a larger one.
 const SMALLER: &str = "small rug";
+/// What says that something is before something else.
+const BEFORE: [&str; 3] = ["looksAt", "facing", "inFrontOf"];
 /// What is fenced in is so near to its fence (metres).
 const WITHIN: f64 = 0.8;
 
@@ -48,7 +50,7 @@ impl Plan<'_> {
         let anchor = self.draft.things[thing].clone();
         let asked = (0..self.draft.things.len()).find(|i| {
             *i != thing
-                && self.is_free(*i, Some(&anchor.name))
+                && self.is_free(*i, Some(&anchor))
                 && takes(part, &self.draft.things[*i].category)
                 && self.agrees(part, &self.draft.things[*i].name)
         });
@@ -83,7 +85,7 @@ impl Plan<'_> {
         let faces = |s: &Statement| {
             matches!(s.source, ThingOrigin::Stated(_))
                 && mentions(&s.text, &it.name)
-                && calls(&s.text).iter().any(|call| ["looksAt", "facing", "inFrontOf"].contains(call))
+                && calls(&s.text).iter().any(|call| BEFORE.contains(call))
         };
         let in_corner = matches!(part.at, Where::Front(gap, ..) if gap < 0.0);
         let before = GroupPart { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
@@ -152,15 +154,37 @@ impl Plan<'_> {
     }
 
     /// Whether a thing is asked for and has no place yet, and nothing is said of where it is but in relation to `anchor`.
-    fn is_free(&self, at: usize, anchor: Option<&str>) -> bool {
-        self.is_unplaced(at) && !self.is_said_elsewhere(at, anchor)
+    fn is_free(&self, at: usize, anchor: Option<&DraftThing>) -> bool {
+        let noun = anchor.map(|anchor| self.group_name(&anchor.category));
+        self.is_unplaced(at)
+            && !self.is_said_elsewhere(at, anchor.map(|anchor| anchor.name.as_str()), noun.as_deref().unwrap_or_default())
     }
 
-    /// Whether it is said where a thing is, but in relation to `other` or to a window that goes where the thing is.
-    fn is_said_elsewhere(&self, at: usize, other: Option<&str>) -> bool {
+    /// Whether it is said where a thing is, but in relation to `other`, to a window that goes where the thing is, or as the
+    /// group of `noun` has it.
+    fn is_said_elsewhere(&self, at: usize, other: Option<&str>, noun: &str) -> bool {
         let is_fixed = |s: &Statement| !daylight::is_moving_window(self, s);
         let name = &self.draft.things[at].name;
-        stand::placed_where(self.draft, name, other, &|s| is_fixed(s) && !carries(&s.text, name))
+        let says = |s: &Statement| {
+            is_fixed(s) && !carries(&s.text, name) && !is_any_of(&s.text, name) && !self.is_within(noun, &s.text)
+        };
+        stand::placed_where(self.draft, name, other, &says)
+    }
+
+    /// Whether a statement says that a part of a group is before one that hangs above what the group goes with: a chair
+    /// before the mirror over a counter.
+    fn is_within(&self, noun: &str, text: &str) -> bool {
+        let parts = groups::of(noun, self.kind.dress);
+        let is_part = |thing: &DraftThing, place: &dyn Fn(&Where) -> bool| {
+            parts.iter().any(|part| place(&part.at) && takes(part, &thing.category))
+        };
+        let own = self.draft.things.iter().filter(|thing| mentions(text, &thing.name));
+        let (before, rest): (Vec<_>, Vec<_>) = own.partition(|thing| is_subject(text, &thing.name));
+        calls(text).iter().all(|call| BEFORE.contains(call))
+            && !before.is_empty()
+            && !rest.is_empty()
+            && before.iter().all(|thing| is_part(thing, &|at| matches!(at, Where::Front(..))))
+            && rest.iter().all(|thing| is_part(thing, &|at| matches!(at, Where::Above(..))))
     }
 
     /// Whether a thing is asked for, has no place yet, and stands where something else might have it.
@@ -185,7 +209,11 @@ impl Plan<'_> {
         if optional && !self.draft.statements.iter().filter(about).any(|s| calls(&s.text).contains(&"behind")) {
             return false;
         }
-        let tells = |s: &&Statement| !daylight::is_moving_window(self, s) && !carries(&s.text, name);
+        let hangs_over = matches!(part.at, Where::Above(..));
+        let tells = |s: &&Statement| {
+            // What hangs there has something before it, and is not said to be anywhere.
+            !daylight::is_moving_window(self, s) && !carries(&s.text, name) && !(hangs_over && !is_subject(&s.text, name))
+        };
         self.draft.statements.iter().filter(about).filter(tells).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;
@@ -232,7 +260,7 @@ impl Plan<'_> {
             && anchor.room == Some(self.room)
             && (matches!(anchor.source, ThingOrigin::Stated(_)) || for_people(&anchor.source))
             && self.draft.things[at].count.is_multiple_of(anchor.count)
-            && !self.is_said_elsewhere(at, Some(&anchor.name))
+            && !self.is_said_elsewhere(at, Some(&anchor.name), &self.group_name(&anchor.category))
             && has_part(&self.group_name(&anchor.category), self.kind.dress, DEEP, &|part| {
                 takes(part, &self.draft.things[at].category) && self.agrees(part, &self.draft.things[at].name)
             })
@@ -274,11 +302,12 @@ impl Plan<'_> {
     /// The line of the inventory with which a thing that is asked for stands.
     fn line_of(&self, at: usize) -> Option<&'static Line> {
         let it = &self.draft.things[at];
-        if self.ground.is_none() || !matches!(it.source, ThingOrigin::Stated(_)) || !self.is_free(at, None) {
+        if self.ground.is_none() || !matches!(it.source, ThingOrigin::Stated(_)) || !self.is_unplaced(at) {
             return None;
         }
         let said = |noun: &str| self.is_closed(noun);
-        line(self.kind, &it.category.replace('_', " "), it.count, &said)
+        let line = line(self.kind, &it.category.replace('_', " "), it.count, &said)?;
+        (!self.is_said_elsewhere(at, None, line.noun)).then_some(line)
     }
 }
 
@@ -306,6 +335,13 @@ fn is_subject(text: &str, name: &str) -> bool {
 /// Whether a statement says only what stands on a thing: a lamp on each nightstand.
 fn carries(text: &str, name: &str) -> bool {
     calls(text).iter().all(|call| *call == "restsOn") && text.contains("restsOn(") && !is_subject(text, name)
+}
+
+/// Whether a statement places something else at any one of several things: a bench opposite the chairs.
+fn is_any_of(text: &str, name: &str) -> bool {
+    let text = text.trim_start_matches('(');
+    text.starts_with("exists ")
+        && text.split_once(':').is_some_and(|(head, rest)| head.ends_with(&format!(" in {name}")) && !mentions(rest, name))
 }
 
 /// The names that are called in a statement.

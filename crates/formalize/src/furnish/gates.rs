@@ -12,6 +12,8 @@ use scenelang_lang::nouns::with_article;
 
 /// What a wide door for cars and goods is called.
 pub const GATE: &str = "garage door";
+/// A door of a usual size is no wider (metres).
+const NARROW: f64 = 1.0;
 /// So much wider than its window is a pair of curtains, and so far it hangs from the wall (metres).
 const WIDER: f64 = 0.8;
 const DEEP: f64 = 0.1;
@@ -31,11 +33,16 @@ pub fn doors(draft: &mut Draft, at: usize, kind: &FurnishingKind) {
         return;
     }
     let [w, h, d] = draft.rooms[at].size;
-    let stated = draft
-        .openings
-        .iter()
-        .filter(|o| o.kind == OpeningKind::Door)
-        .any(|o| matches!(o.source, ThingOrigin::Stated(_)));
+    let is_stated = |o: &&Opening| o.kind == OpeningKind::Door && matches!(o.source, ThingOrigin::Stated(_));
+    let stated = draft.openings.iter().any(|o| is_stated(&o));
+    if let Some([wide, high]) = kind.gate
+        && w.max(d) > wide + 1.6
+    {
+        // A door for goods that is asked for, and of which no size is said, is as wide as such doors are.
+        let size = [gate_width(draft, at, wide), high.min(h - 0.15), 0.12];
+        let gates = draft.openings.iter_mut().filter(|o| is_stated(&&**o) && o.category.as_deref() == Some(GATE));
+        gates.filter(|o| o.size[0] < NARROW).for_each(|o| o.size = size);
+    }
     if let Some([wide, high]) = kind.gate
         && !stated
         && w.max(d) > wide + 1.6

@@ -41,7 +41,7 @@ mod tops;
 mod twin;
 mod whom;
 
-use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Rel, Thing};
+use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Place, Rel, Thing};
 use crate::complete::defaults::AT_BOOTH;
 use crate::draft::{Draft, DraftThing, ThingOrigin};
 pub use area::overfull;
@@ -129,6 +129,7 @@ pub fn refine(brief: &mut Brief) {
     whom::children(brief);
     whom::pupils(brief);
     whom::student(brief);
+    whom::computers(brief);
     whom::instruments(brief);
     bedside_lamps(brief);
     named(brief);
@@ -305,6 +306,9 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| plural && thing.name() == "bunk bed") {
         return Some(people.div_ceil(2));
     }
+    if let Some(n) = along_walls(brief, at, kind).filter(|_| plural && !many) {
+        return Some(n);
+    }
     // "Sofas and low tables": one before each.
     let is_sofa = |other: &Thing| {
         other.room == thing.room && other.group == Group::Seat && stand::counts_as("sofa", &other.name())
@@ -343,6 +347,35 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     });
     let usual = own.and_then(|line| usual_number(brief, at, kind, line, plural));
     usual.map(|n| n.max(least.unwrap_or(0))).or(least)
+}
+
+/// How many shelves cover a wall, or stand along the walls, of a room of the usual size.
+fn along_walls(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<usize> {
+    const COVER: [&str; 9] =
+        ["along", "lining", "lines", "lined", "covering", "covers", "covered", "filling", "all sides"];
+    /// The part of a wall that shelves take, and those of all walls.
+    const PART: f64 = 0.7;
+    const PARTS: f64 = 1.2;
+    const MOST: f64 = 8.0;
+    let thing = &brief.things[at];
+    let says = |fact: &&Fact| fact.of == [at] && matches!(fact.what, FactKind::Place(_, Place::Wall, _));
+    let fact = brief.facts.iter().find(says).filter(|_| thing.group == Group::Storage)?;
+    let FactKind::Place(_, _, which) = &fact.what else { return None };
+    let said = brief.request.get(fact.source.at()).unwrap_or("").to_lowercase();
+    if !COVER.iter().any(|cover| said.contains(cover)) {
+        return None;
+    }
+    let room = &brief.rooms[thing.room];
+    let side = |k: usize| room.size[k].or(room.usual.map(|usual| usual[k])).unwrap_or(kind.size[k]);
+    let is = |names: [&str; 4]| which.iter().any(|which| names.contains(&which.as_str()));
+    let wall = match () {
+        () if is(["left", "right", "east", "west"]) => side(2),
+        () if is(["back", "front", "north", "south"]) => side(0),
+        () => side(0).max(side(2)),
+    };
+    let width = thing.size[0].or_else(|| scenelang_lang::nouns::ending(&meant(kind, thing.name())).map(|noun| noun.size[0]))?;
+    let part = if said.contains("walls") || said.contains("all sides") { PARTS } else { PART };
+    Some((part * wall / width).floor().clamp(2.0, MOST) as usize)
 }
 
 /// How many of a thing there are, if each of several other requested things has exactly one of it in such a room.

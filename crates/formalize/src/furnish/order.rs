@@ -12,6 +12,8 @@ use crate::draft::{DraftThing, ThingOrigin};
 
 /// What children play on.
 pub(super) const PLAY_MAT: &str = "play_mat";
+/// What has its place before the tables around it.
+pub(super) const DANCE_FLOOR: &str = "dance floor";
 /// More seats than this are for guests.
 const WAITING: usize = 3;
 
@@ -57,7 +59,17 @@ impl Order {
         let is_beside = |at: &usize| waits_for_neighbour(plan, *at);
         // What belongs at a window has no other place.
         let is_lit = |at: &usize| plan.draft.things[*at].category.replace('_', " ").starts_with(stand::AT_WINDOW);
-        let key = |at: &usize| (plays(at), is_beside(at), !is_lit(at), !is_wall_of(plan, *at), !is_lounge(at));
+        // A dance floor has its place before the tables, in front of the stage.
+        let dances = |at: &usize| match plan.draft.things[*at].category.as_str() {
+            "stage" => 0,
+            category if category.replace('_', " ") == DANCE_FLOOR => 1,
+            _ => 2,
+        };
+        let has_dance = first.iter().any(|at| dances(at) == 1);
+        let dances = |at: &usize| if has_dance { dances(at) } else { 0 };
+        let key = |at: &usize| {
+            (plays(at), is_beside(at), dances(at), !is_lit(at), !is_wall_of(plan, *at), !is_lounge(at))
+        };
         first.sort_by_key(key);
         let many = |at: &usize| {
             let thing = &plan.draft.things[*at];

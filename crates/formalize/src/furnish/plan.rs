@@ -317,6 +317,7 @@ impl<'a> Plan<'a> {
             return;
         }
         let loaded = stand::loaded(self.draft, thing);
+        let has_robot = stand::has_robot(self.draft, thing);
         let is_under_window = self.is_under_window(&self.draft.things[thing].name) || self.has_window_sink(name);
         // Beside a sink under a window nothing tall stands.
         let name = if is_under_window && name == SINK { WINDOW_SINK } else { name };
@@ -341,8 +342,8 @@ impl<'a> Plan<'a> {
             {
                 continue;
             }
-            // What is asked for has its place in a small room, too.
-            if self.counted < part.least {
+            // What is asked for has its place in a small room, too. Nobody sits where a robot moves.
+            if self.counted < part.least || has_robot && part.at.is_around() {
                 has_above |= self.claim(thing, part, wall, deep, &mut taken) && hung;
             } else {
                 self.part(thing, part, wall, deep, &mut taken);

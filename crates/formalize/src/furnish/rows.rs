@@ -302,6 +302,9 @@ const BEFORE_TEACHER: f64 = 0.9;
 const NEARER: f64 = -0.7;
 /// The aisle between pews, and what is between one and the back of the next.
 const PEWS: (f64, f64) = (1.1, 0.36);
+/// Where the floor is so many times what racks and their aisles take, they stand in rows of so many.
+const ROOMY: f64 = 2.5;
+const IN_SHORT_ROW: usize = 3;
 /// What is looked at from all sides, and how much room is around it.
 const EXHIBITED: [&str; 6] = ["sculpture", "statue", "pedestal", "plinth", "display case", "showcase"];
 const EXHIBITS: f64 = 2.2;
@@ -437,7 +440,8 @@ fn cells(
     let (one, own_d) = (left + right, back + front);
     let cell_w = if each == 2 { 2.0 * one + BETWEEN } else { one };
     // Pallet racks stand back to back, with an aisle for a lift truck before each.
-    let deep = 1 + usize::from(noun.ends_with("pallet rack") && n >= BACK_TO_BACK);
+    let roomy = w * d > ROOMY * n as f64 * size[0] * (size[2] + AISLES[0]);
+    let deep = 1 + usize::from(noun.ends_with("pallet rack") && n >= BACK_TO_BACK && !roomy);
     let cell_d = deep as f64 * own_d + (deep - 1) as f64 * BEHIND_RACKS;
     let (each, n, asked) = (each * deep, n.div_ceil(each * deep), n);
     let flat = size[1] < 0.05;
@@ -494,6 +498,8 @@ fn cells(
     let wider = if alone { 2 } else { 1 };
     let mut near = (0..=wider).flat_map(|by| [lines_used + by, lines_used.saturating_sub(by)]);
     let lines_used = near.find(full).filter(|_| !rack).unwrap_or(lines_used);
+    // A few racks in a large hall stand in several rows, not in one line.
+    let lines_used = if rack && roomy { lines_used.max(n.div_ceil(IN_SHORT_ROW)).min(lines) } else { lines_used };
     let columns_used = n.div_ceil(lines_used).next_multiple_of(halves);
     let spread = match () {
         () if each == 2 && deep == 1 => widest.min(PAIRS[0].0),

@@ -284,6 +284,14 @@ pub fn loaded(draft: &Draft, thing: usize) -> bool {
     })
 }
 
+/// Whether a robot arm that is asked for stands on a thing.
+pub fn has_robot(draft: &Draft, thing: usize) -> bool {
+    let on = |robot: &str, s: &Statement| s.text.contains("restsOn(") && mentions(&s.text, robot);
+    let robots = draft.things.iter().filter(|t| are_kin("robot arm", &t.category.replace('_', " ")));
+    let name = &draft.things[thing].name;
+    robots.into_iter().any(|robot| draft.statements.iter().any(|s| on(&robot.name, s) && mentions(&s.text, name)))
+}
+
 /// Whether the request says where or how a thing stands.
 pub fn placed(draft: &Draft, name: &str) -> bool {
     draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name))

@@ -35,8 +35,17 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let noun = it.category.replace('_', " ");
     let said = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
     let mut about = said.filter(|s| mentions(&s.text, &it.name));
-    let only = about
-        .all(|s| among(plan, &s.text, &it.name).is_some() || s.text.contains("inside(") || s.text.contains("onFloor("));
+    let goes_along = |text: &str| {
+        let others = (0..plan.draft.things.len()).filter(|at| *at != thing && mentions(text, &plan.draft.things[*at].name));
+        let mut others = others.peekable();
+        others.peek().is_some() && others.all(|at| plan.goes_with(at, thing))
+    };
+    let only = about.all(|s| {
+        among(plan, &s.text, &it.name).is_some()
+            || s.text.contains("inside(")
+            || s.text.contains("onFloor(")
+            || goes_along(&s.text)
+    });
     let asked = |t: &crate::draft::DraftThing| {
         t.room == Some(plan.room) && t.count > 1 && counts_as(USUAL, &t.category.replace('_', " "))
     };

@@ -26,6 +26,7 @@ const CHILDREN: [&str; 12] = [
 ];
 const STUDENTS: [&str; 4] = ["students", "roommates", "flatmates", "teens"];
 const NUMBERS: [&str; 4] = ["two", "three", "four", "five"];
+const WHOSE: [&str; 7] = ["my", "our", "his", "her", "their", "your", "the"];
 /// What is said of a room and no longer of whom it is for.
 const ENDS: [&str; 10] = ["with", "who", "that", "in", "has", "having", "including", "featuring", "where", "by"];
 /// So many children share a room.
@@ -97,6 +98,36 @@ pub fn student(brief: &mut Brief) {
     }
 }
 
+/// Several computers in a room where nobody has a desk stand on desks of their own: six computers in a library.
+pub fn computers(brief: &mut Brief) {
+    const DESK: &str = "computer desk";
+    const WHY: &str = "a computer stands on a desk";
+    for room in 0..brief.rooms.len() {
+        let Some(kind) = kinds::of(&brief.rooms[room].name).filter(|kind| kind.home.is_none()) else { continue };
+        let is_place = |thing: &Thing| {
+            thing.room == room
+                && thing.part.is_none()
+                && (thing.name().ends_with("desk") || thing.name().ends_with("workstation"))
+        };
+        let has_screen = |line: &Line| {
+            matches!(line.count, Count::People(_))
+                && groups::of(line.noun, kind.dress).iter().any(|part| matches!(part.noun, "monitor" | "computer" | "laptop"))
+        };
+        if brief.things.iter().any(is_place) || kind.lines.iter().any(has_screen) {
+            continue;
+        }
+        let told = |at: usize| brief.facts.iter().any(|fact| fact.of.contains(&at));
+        let several = |at: &usize| {
+            let thing = &brief.things[*at];
+            thing.room == room && thing.name() == "computer" && thing.number.said().is_some_and(|n| n > 1) && !told(*at)
+        };
+        let Some(n) = (0..brief.things.len()).find(several).and_then(|at| brief.things[at].number.said()) else {
+            continue;
+        };
+        push(brief, room, DESK, n, WHY);
+    }
+}
+
 /// A laboratory with a desk for a teacher is one of a school.
 pub fn pupils(brief: &mut Brief) {
     let taught = |at: usize| {
@@ -118,13 +149,15 @@ pub fn children(brief: &mut Brief) {
     let has_bed = brief.things.iter().any(is_bed);
     let [room] = &mut brief.rooms[..] else { return };
     let kind = kinds::of(&room.name).map_or("", |kind| kind.name);
-    if has_bed || kind != "bedroom" && !ROOMS.contains(&kind) {
+    if kind != "bedroom" && (has_bed || !ROOMS.contains(&kind)) {
         return;
     }
     let request = brief.request.to_lowercase();
     let words: Vec<&str> =
         request.split(|c: char| !c.is_alphanumeric() && c != '\'').filter(|w| !w.is_empty()).collect();
     for (at, _) in words.iter().enumerate().filter(|(_, word)| **word == "for") {
+        // "For my two sons".
+        let at = at + usize::from(words.get(at + 1).is_some_and(|word| WHOSE.contains(word)));
         let said = words.get(at + 1).copied().unwrap_or("");
         let number = NUMBERS.iter().position(|number| *number == said).map(|i| i + 2);
         let twins = said == "twins" || said == "twin";
@@ -142,7 +175,7 @@ pub fn children(brief: &mut Brief) {
         let name = match () {
             () if teen => "teen room",
             () if child => "kids room",
-            () if student => "dorm room",
+            () if student && !has_bed => "dorm room",
             () => continue,
         };
         if kind == "bedroom" {

@@ -11,8 +11,10 @@ use crate::furnish::kinds;
 /// The most words of a room's name.
 const LONGEST: usize = 3;
 /// Who has a room of their own at home.
-const CHILDREN: [&str; 10] =
-    ["daughter", "son", "boy", "girl", "child", "kid", "toddler", "daughters", "sons", "teenager"];
+const CHILDREN: [&str; 18] = [
+    "daughter", "son", "boy", "girl", "child", "kid", "toddler", "daughters", "sons", "teenager", "brother", "brothers",
+    "sister", "sisters", "twins", "siblings", "boys", "girls",
+];
 /// So many share a flat where nobody says how many.
 const SHARED: &str = "three";
 

@@ -388,9 +388,21 @@ fn opposite(tokens: &mut Vec<Token>, i: usize) -> bool {
     // "the opposite", "directly opposite" and "the one opposite" are of something else.
     let said = said && !matches!(word(tokens, i - 1), "the" | "an" | "one" | "directly" | "right");
     if said {
-        put(tokens, i, i + 1, &["opposite", "it"]);
+        let what = before(tokens, i).unwrap_or_default();
+        put(tokens, i, i + 1, &["opposite", if what.is_empty() { "it" } else { "the" }]);
+        tokens.splice(i + 2..i + 2, what);
     }
     said
+}
+
+/// "Chairs in front of mirrors and a bench opposite": opposite the mirrors, at which the chairs look.
+fn before(tokens: &[Token], i: usize) -> Option<Vec<Token>> {
+    const BETWEEN: usize = 4;
+    let front = (0..i).rev().take_while(|k| !tokens[*k].is(".")).find(|k| word(tokens, *k) == "front")?;
+    let from = front + 2 + usize::from(matches!(word(tokens, front + 2), "the" | "a" | "an" | "their" | "its"));
+    let until = (from..i).find(|k| word(tokens, *k) == "and" || tokens[*k].is(","))?;
+    let near = i - until <= BETWEEN + 1 && (until + 1..i).all(|k| tokens[k].word());
+    (near && word(tokens, front + 1) == "of" && from < until).then(|| tokens[from..until].to_vec())
 }
 
 /// "The fridge should open towards the table": it faces it.

@@ -184,6 +184,9 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
     if HAS.contains(&next) && tokens.get(end + 1).is_some_and(Token::word) {
         // "A reading corner with an armchair": the armchair.
         let first = tokens[end + 1].text.clone();
+        if tokens[end - 1].is("corner") {
+            on_rug(tokens, end + 2);
+        }
         return put(tokens, from, end + 2, &[&first]);
     }
     let told = OWN.contains(&next) || number::count(&tokens[end.min(tokens.len())..]).is_some();
@@ -202,6 +205,32 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
             put(tokens, from, end, &[&words[..words.len() - 1], &[several.as_str()]].concat());
         }
     }
+}
+
+/// "A reading corner with a rug and cushions": the rug is in a corner, and the cushions are on it.
+fn on_rug(tokens: &mut Vec<Token>, i: usize) {
+    let noun = |tokens: &[Token], i: usize, any: &[&str]| {
+        let found = (i..tokens.len().min(i + LONGEST)).find(|k| any.iter().any(|word| tokens[*k].is(word)))?;
+        (i..found).all(|k| get().is_look(&tokens[k].text)).then_some(found + 1)
+    };
+    let ends = |tokens: &[Token], at: usize| {
+        tokens.get(at).is_none_or(|t| !t.word() || LISTS.iter().any(|word| t.is(word)))
+    };
+    let Some(rug) = noun(tokens, i, &["rug", "carpet", "mat"]).filter(|at| ends(tokens, *at)) else { return };
+    let soft = tokens.get(rug).filter(|t| t.is("and")).and_then(|_| {
+        let first = rug + 1 + usize::from(tokens.get(rug + 1).is_some_and(|t| t.is("some")));
+        let first = first + usize::from(number::count(&tokens[first.min(tokens.len())..]).is_some());
+        noun(tokens, first, &["cushions", "pillows"]).filter(|at| ends(tokens, *at))
+    });
+    let mut insert = |at: usize, words: &[&str]| {
+        let copy = tokens[at - 1].clone();
+        let new = words.iter().map(|word| Token { text: (*word).to_owned(), ..copy.clone() });
+        tokens.splice(at..at, new.collect::<Vec<_>>());
+    };
+    if let Some(soft) = soft {
+        insert(soft, &["on", "it"]);
+    }
+    insert(rug, &["in", "a", "corner"]);
 }
 
 /// The kind of the room in which a part is, and where its name begins: the room that was named last. "A hotel lobby with a bar and a
@@ -259,7 +288,8 @@ mod tests {
         for (text, becomes) in [
             ("an office with a meeting corner", "an office with a round table"),
             ("a bedroom with a cozy reading nook by the window", "a bedroom with a reading chair by the window"),
-            ("a classroom with a reading corner with a rug", "a classroom with a rug"),
+            ("a classroom with a reading corner with a rug", "a classroom with a rug in a corner"),
+            ("a hall with a play corner with a blue rug and two cushions.", "a hall with a blue rug in a corner and two cushions on it ."),
             ("a bedroom with a desk and a play area", "a bedroom with a desk and a play mat and a toy box"),
             ("a reading corner in my bedroom, with a lamp", "my bedroom with a reading chair , with a lamp"),
             ("a work area in the corner of a bedroom", "a bedroom with a desk in the corner"),
