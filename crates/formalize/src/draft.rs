@@ -16,6 +16,8 @@ pub struct Draft {
     pub openings: Vec<Opening>,
     /// The objects.
     pub things: Vec<DraftThing>,
+    /// How single elements of arrays look that are told apart: "the first chair is red".
+    pub looks: Vec<ElementLook>,
     /// What is asked of them.
     pub statements: Vec<Statement>,
     /// What opens less far than is useful, because its room has no place for more.
@@ -114,6 +116,15 @@ pub struct DraftThing {
     pub look: Look,
     /// Where it comes from.
     pub source: ThingOrigin,
+}
+
+/// The look of one element of an array, beside that of all of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElementLook {
+    /// The name of the array, and which element of it.
+    pub of: String,
+    pub element: usize,
+    pub look: Look,
 }
 
 /// One statement of the program.

@@ -261,13 +261,13 @@ impl Writer<'_> {
     }
 
     fn thing(&mut self, thing: &DraftThing) {
-        let DraftThing { name, category, count, room, size, look, source } = thing;
+        let DraftThing { name, category, count, room, size, source, .. } = thing;
         self.declaration(name, *count, source);
         self.text(name, "category", &category.replace('_', " "));
         if let Some(size) = size {
             self.size(name, *size);
         }
-        self.look(name, look);
+        self.look_of_each(thing);
         let room = room.and_then(|at| self.draft.rooms.get(at));
         if let Some(room) = room.filter(|room| !self.says_where(thing, room)) {
             let line = if *count > 1 {
@@ -358,6 +358,33 @@ impl Writer<'_> {
         self.line("");
         self.requirement(source);
         self.line(&if count > 1 { format!("object {name}[{count}];") } else { format!("object {name};") });
+    }
+
+    /// The look of a thing; a property in which an element differs is given element by element, for it is assigned once.
+    fn look_of_each(&mut self, thing: &DraftThing) {
+        let own: Vec<_> =
+            self.draft.looks.iter().filter(|own| own.of == thing.name && own.element < thing.count).cloned().collect();
+        let differs = |property: &dyn Fn(&Look) -> bool| own.iter().any(|own| property(&own.look));
+        let is = [
+            differs(&|look| look.color.is_some()),
+            differs(&|look| look.material.is_some()),
+            differs(&|look| !look.features.is_empty()),
+        ];
+        let only = |look: &Look, [color, material, features]: [bool; 3]| Look {
+            color: look.color.clone().filter(|_| color),
+            material: look.material.clone().filter(|_| material),
+            features: look.features.iter().filter(|_| features).cloned().collect(),
+        };
+        self.look(&thing.name, &only(&thing.look, is.map(|differs| !differs)));
+        for element in (0..thing.count).filter(|_| is.contains(&true)) {
+            let mut look = only(&thing.look, is);
+            for own in own.iter().filter(|own| own.element == element).map(|own| &own.look) {
+                look.color = own.color.clone().or(look.color);
+                look.material = own.material.clone().or(look.material);
+                look.features.extend(own.features.iter().cloned());
+            }
+            self.look(&format!("{}[{element}]", thing.name), &look);
+        }
     }
 
     fn look(&mut self, name: &str, look: &Look) {

@@ -7,7 +7,7 @@ mod state;
 mod usual;
 
 use crate::brief::{Brief, FactKind, Group, Look, Rel, too_many};
-use crate::draft::{Draft, DraftRoom, DraftThing, Note, Opening, OpeningKind, Surface, ThingOrigin};
+use crate::draft::{Draft, DraftRoom, DraftThing, ElementLook, Note, Opening, OpeningKind, Surface, ThingOrigin};
 use crate::furnish::{GATE, kinds};
 use crate::names::{GivenNames, identifier};
 use crate::read::lexicon::MATERIALS_AND_SHADES;
@@ -155,6 +155,34 @@ fn declare(
                 look: item.look.clone(),
                 source,
             });
+        }
+    }
+    told_apart(brief, given, draft);
+}
+
+/// The looks of things that are some of several: "the first chair is red".
+fn told_apart(brief: &Brief, given: &[Vec<String>], draft: &mut Draft) {
+    for (i, item) in brief.things.iter().enumerate().filter(|(_, item)| item.look != Look::default()) {
+        let Some(part) = &item.part else { continue };
+        let all = &brief.things[part.of].look;
+        let look = Look {
+            color: item.look.color.clone().filter(|color| all.color.as_ref() != Some(color)),
+            material: item.look.material.clone().filter(|material| all.material.as_ref() != Some(material)),
+            features: item.look.features.iter().filter(|feature| !all.features.contains(feature)).cloned().collect(),
+        };
+        if look == Look::default() {
+            continue;
+        }
+        for (name, element) in given[i].iter().zip(brief.elements(part)) {
+            match draft.openings.iter_mut().find(|opening| opening.name == *name) {
+                Some(opening) => opening.look = look.clone(),
+                None if name.ends_with(']') => draft.looks.push(ElementLook {
+                    of: given[part.of][0].clone(),
+                    element,
+                    look: look.clone(),
+                }),
+                None => {}
+            }
         }
     }
 }

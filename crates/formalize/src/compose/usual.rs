@@ -5,6 +5,9 @@ use super::state::{Named, Stated};
 use crate::brief::{Fact, FactKind, Group, Pattern, Place, Rel, Thing};
 use crate::write::number;
 
+/// What is said to be behind something is so near to it, where there is room (metres).
+const BEHIND: f64 = 1.5;
+
 /// Adds it.
 pub fn usual(named: &Named, out: &mut Stated) {
     let whole = |a: &usize| named.brief.things[*a].part.is_none();
@@ -173,13 +176,16 @@ impl<'n, 'b> It<'n, 'b> {
     fn with_others(&self, out: &mut Stated) {
         let named = self.named;
         for fact in named.brief.facts.iter().filter(|f| f.of.contains(&self.a) && !f.not && !f.soft) {
-            let FactKind::Rel(rel @ (Rel::Beside | Rel::Opposite), to) = &fact.what else { continue };
+            let FactKind::Rel(rel @ (Rel::Beside | Rel::Opposite | Rel::Behind), to) = &fact.what else { continue };
             let [b] = to[..] else { continue };
             if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(self.a, b)) {
                 out.infer(format!("prefer {sides};"), "a pair stands on both sides");
             } else if *rel == Rel::Opposite {
                 let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, 4)"));
                 out.infer(format!("prefer {near};"), "an object across from another faces it");
+            } else if *rel == Rel::Behind && !named.brief.things[b].opening() {
+                let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, {})", number(BEHIND)));
+                out.infer(format!("prefer {near};"), "what is behind an object is near it");
             }
         }
     }

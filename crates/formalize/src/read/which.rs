@@ -8,7 +8,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    middle_one(tokens, i) || left_one(tokens, i) || one_there(tokens, i) || faced(tokens, i)
+    middle_one(tokens, i) || nth_one(tokens, i) || left_one(tokens, i) || one_there(tokens, i) || faced(tokens, i)
 }
 
 /// "A printer sits on the middle one": the middle cabinet holds a printer.
@@ -33,6 +33,43 @@ fn middle_one(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = [vec!["the".to_owned(), which], of, vec!["holds".to_owned()]].concat();
     let said: Vec<String> = said.into_iter().chain(tokens[from..i - 1].iter().map(|t| t.text.clone())).collect();
     put(tokens, from, i + 4, &said.iter().map(String::as_str).collect::<Vec<_>>());
+    true
+}
+
+/// "The first is red", "the middle one has a lamp", of chairs that were counted: the first chair.
+fn nth_one(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const NTH: [&str; 7] = ["first", "second", "third", "fourth", "last", "middle", "other"];
+    const SAYS: [&str; 12] =
+        ["is", "has", "stands", "holds", "faces", "sits", "hangs", "lies", "leans", "should", "must", "touches"];
+    let starts = begins(tokens, i) || i > 0 && (tokens[i - 1].is(",") || matches!(word(tokens, i - 1), "and" | "but" | "while"));
+    if !starts || word(tokens, i) != "the" {
+        return false;
+    }
+    let side = matches!(word(tokens, i + 1), "left" | "right");
+    // ", the first of which is red".
+    let which = usize::from(word(tokens, i + 2) == "of" && matches!(word(tokens, i + 3), "which" | "them")) * 2;
+    let one = usize::from(word(tokens, i + 2) == "one") + which;
+    let nth = NTH.contains(&word(tokens, i + 1)) && (one > 0 || word(tokens, i + 1) != "other");
+    if !(nth || side && one > 0) || !SAYS.contains(&word(tokens, i + 2 + one)) {
+        return false;
+    }
+    let Some(all) = counted(tokens, i, 2) else { return false };
+    let mut of: Vec<Token> = tokens[all.noun].to_vec();
+    let at = tokens[i + 1].at.clone();
+    for token in &mut of {
+        token.at = at.clone();
+    }
+    if let Some(last) = of.last_mut() {
+        last.text = singular(&last.text);
+    }
+    tokens.splice(i + 2..i + 2 + one, of);
+    if which > 0 && tokens[i - 1].is(",") {
+        tokens[i - 1].text = ".".to_owned();
+        tokens[i - 1].kind = WordKind::Sign('.');
+    }
+    if side {
+        left_one(tokens, i);
+    }
     true
 }
 
@@ -86,7 +123,9 @@ fn before(tokens: &mut Vec<Token>, i: usize, words: &[&str]) {
 
 /// "The left shelf holds three vases", "the bed on the left has a pillow", of two: the first, which is left of the second.
 fn left_one(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if word(tokens, i) != "the" || !begins(tokens, i) {
+    // "And the right sofa is blue".
+    let goes = i > 0 && (tokens[i - 1].is(",") || matches!(word(tokens, i - 1), "and" | "but" | "while"));
+    if word(tokens, i) != "the" || !(begins(tokens, i) || goes) {
         return false;
     }
     let side = |k: usize| matches!(word(tokens, k), "left" | "right");
@@ -155,6 +194,14 @@ mod tests {
                 "a lamp stands to the left of the door , facing the door",
             ),
             ("a chair and a desk, facing it", "a chair and a desk , facing it"),
+            ("four chairs. the first is red", "four chairs . the first chair is red"),
+            ("three lamps. the middle one is white", "three lamps . the middle lamp is white"),
+            (
+                "two sofas. the left one is red and the right one is blue",
+                "two sofas . the first sofa is to the left of the second sofa . the first sofa is red and the second sofa is blue",
+            ),
+            ("three chairs, the first of which is red", "three chairs . the first chair is red"),
+            ("a desk. the first is red", "a desk . the first is red"),
             (
                 "two shelves. the left shelf holds a vase. the right shelf holds a book",
                 "two shelves . the first shelf is to the left of the second shelf . the first shelf holds a vase . the second \

@@ -658,7 +658,12 @@ impl<'a> Reader<'a> {
 
     fn add_look(&mut self, items: &[usize], look: &crate::draft::Look) {
         for i in items {
+            // What one of several looks like takes the place of what all look like.
+            let all = self.brief.things[*i].part.as_ref().and_then(|part| self.brief.things[part.of].look.color.clone());
             let to = &mut self.brief.things[*i].look;
+            if look.color.is_some() && to.color == all {
+                to.color = None;
+            }
             match (&to.color, &look.color) {
                 (None, Some(c)) => to.color = Some(c.clone()),
                 (Some(old), Some(c)) if old != c => to.features.push(c.clone()),
