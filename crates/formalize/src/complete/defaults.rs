@@ -74,8 +74,9 @@ pub fn seats(brief: &mut Brief) {
     let works = |i: &Thing| i.places.is_none() && (i.words.last().is_some_and(|word| word == "desk") || for_one(i));
     let sat_at = |i: &Thing| i.words.last().is_some_and(|word| SAT_AT.iter().any(|end| word.ends_with(end)));
     let is_bar = |i: &Thing| people > AT_BAR && i.words.last().is_some_and(|word| word == "bar" || word == "counter");
-    let sits =
-        |i: &Thing| i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i) && !is_bar(i);
+    let sits = |i: &Thing| {
+        i.group == Group::Table && sat_at(i) && one(i) && open(i) && seats_all(i) && !works(i) && !is_bar(i)
+    };
     let why = format!("{people} people sit there");
     let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");
     let table = match brief.things.iter().position(|i| sits(i) && !is_island(i)) {

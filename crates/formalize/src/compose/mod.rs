@@ -176,11 +176,9 @@ fn told_apart(brief: &Brief, given: &[Vec<String>], draft: &mut Draft) {
         for (name, element) in given[i].iter().zip(brief.elements(part)) {
             match draft.openings.iter_mut().find(|opening| opening.name == *name) {
                 Some(opening) => opening.look = look.clone(),
-                None if name.ends_with(']') => draft.looks.push(ElementLook {
-                    of: given[part.of][0].clone(),
-                    element,
-                    look: look.clone(),
-                }),
+                None if name.ends_with(']') => {
+                    draft.looks.push(ElementLook { of: given[part.of][0].clone(), element, look: look.clone() })
+                }
                 None => {}
             }
         }

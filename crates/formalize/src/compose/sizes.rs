@@ -23,8 +23,21 @@ pub fn things(brief: &Brief) -> Vec<[f64; 3]> {
 /// What is lower than this (metres) and no furniture grows with what is said of its size.
 const WHOLE: f64 = 1.0;
 
+/// The usual size of what has a name of its own with something that is said of it: "a single bed".
+fn by_kind(item: &Thing) -> Option<[f64; 3]> {
+    const KINDS: [&str; 3] = ["bed", "sofa", "table"];
+    let plain = item.words.join(" ");
+    let kind = item.words.last().filter(|last| KINDS.contains(&last.as_str()))?;
+    let names = item.look.features.iter().map(|feature| feature.replace('-', " "));
+    let mut named = names.flat_map(|feature| [format!("{feature} {plain}"), format!("{feature} {kind}")]);
+    named.find_map(|name| scenelang_lang::nouns::noun(&name)).map(|noun| noun.size)
+}
+
 /// A size as its look has it: large, low, round, and what was said in figures.
 fn by_look(size: &mut [f64; 3], item: &Thing) {
+    if let Some(own) = by_kind(item) {
+        *size = own;
+    }
     let feature = |words: &[&str]| item.look.features.iter().any(|f| words.contains(&f.as_str()));
     let scale = if feature(&["small", "little", "tiny", "compact", "mini"]) {
         0.75
@@ -58,6 +71,10 @@ fn by_look(size: &mut [f64; 3], item: &Thing) {
     if feature(&["round", "circular"]) && matches!(item.group, Group::Table | Group::Flat) {
         size[2] = size[0].min(size[2].max(0.7 * size[0]));
         size[0] = size[2];
+    }
+    if feature(&["square"]) && matches!(item.group, Group::Table | Group::Flat) {
+        let side = size[0].min(size[2]).max(0.7 * size[0]);
+        (size[0], size[2]) = (side, side);
     }
     for (have, said) in size.iter_mut().zip(item.size) {
         *have = said.unwrap_or(*have);

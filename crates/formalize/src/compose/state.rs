@@ -48,7 +48,7 @@ pub fn state(named: &Named) -> Stated {
         }
         // Nobody softened it, and it is weaker than it was said all the same.
         let weak = |text: &String| text.starts_with("prefer ");
-        if !fact.soft && fact.source.reason().is_none() && texts.first().is_some_and(weak) {
+        if !fact.soft && fact.source.reason().is_none() && !texts.is_empty() && texts.iter().all(weak) {
             let reason = "kept as a preference: as a requirement it would contradict another part of the request";
             out.notes.push(Note { at: fact.source.at(), reason: reason.into() });
         }

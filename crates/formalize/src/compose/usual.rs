@@ -183,7 +183,7 @@ impl<'n, 'b> It<'n, 'b> {
             } else if *rel == Rel::Opposite {
                 let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, 4)"));
                 out.infer(format!("prefer {near};"), "an object across from another faces it");
-            } else if *rel == Rel::Behind && !named.brief.things[b].opening() {
+            } else if *rel == Rel::Behind && self.item.group != Group::Seat && !named.brief.things[b].opening() {
                 let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, {})", number(BEHIND)));
                 out.infer(format!("prefer {near};"), "what is behind an object is near it");
             }

@@ -157,7 +157,11 @@ impl Plan<'_> {
     fn is_free(&self, at: usize, anchor: Option<&DraftThing>) -> bool {
         let noun = anchor.map(|anchor| self.group_name(&anchor.category));
         self.is_unplaced(at)
-            && !self.is_said_elsewhere(at, anchor.map(|anchor| anchor.name.as_str()), noun.as_deref().unwrap_or_default())
+            && !self.is_said_elsewhere(
+                at,
+                anchor.map(|anchor| anchor.name.as_str()),
+                noun.as_deref().unwrap_or_default(),
+            )
     }
 
     /// Whether it is said where a thing is, but in relation to `other`, to a window that goes where the thing is, or as the
@@ -212,7 +216,9 @@ impl Plan<'_> {
         let hangs_over = matches!(part.at, Where::Above(..));
         let tells = |s: &&Statement| {
             // What hangs there has something before it, and is not said to be anywhere.
-            !daylight::is_moving_window(self, s) && !carries(&s.text, name) && !(hangs_over && !is_subject(&s.text, name))
+            !daylight::is_moving_window(self, s)
+                && !carries(&s.text, name)
+                && !(hangs_over && !is_subject(&s.text, name))
         };
         self.draft.statements.iter().filter(about).filter(tells).all(|s| {
             // That seats are spread over the sides of a table is only preferred.
@@ -341,7 +347,9 @@ fn carries(text: &str, name: &str) -> bool {
 fn is_any_of(text: &str, name: &str) -> bool {
     let text = text.trim_start_matches('(');
     text.starts_with("exists ")
-        && text.split_once(':').is_some_and(|(head, rest)| head.ends_with(&format!(" in {name}")) && !mentions(rest, name))
+        && text
+            .split_once(':')
+            .is_some_and(|(head, rest)| head.ends_with(&format!(" in {name}")) && !mentions(rest, name))
 }
 
 /// The names that are called in a statement.

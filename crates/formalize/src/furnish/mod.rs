@@ -373,7 +373,8 @@ fn along_walls(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option
         () if is(["back", "front", "north", "south"]) => side(0),
         () => side(0).max(side(2)),
     };
-    let width = thing.size[0].or_else(|| scenelang_lang::nouns::ending(&meant(kind, thing.name())).map(|noun| noun.size[0]))?;
+    let width =
+        thing.size[0].or_else(|| scenelang_lang::nouns::ending(&meant(kind, thing.name())).map(|noun| noun.size[0]))?;
     let part = if said.contains("walls") || said.contains("all sides") { PARTS } else { PART };
     Some((part * wall / width).floor().clamp(2.0, MOST) as usize)
 }

@@ -67,9 +67,8 @@ impl Order {
         };
         let has_dance = first.iter().any(|at| dances(at) == 1);
         let dances = |at: &usize| if has_dance { dances(at) } else { 0 };
-        let key = |at: &usize| {
-            (plays(at), is_beside(at), dances(at), !is_lit(at), !is_wall_of(plan, *at), !is_lounge(at))
-        };
+        let key =
+            |at: &usize| (plays(at), is_beside(at), dances(at), !is_lit(at), !is_wall_of(plan, *at), !is_lounge(at));
         first.sort_by_key(key);
         let many = |at: &usize| {
             let thing = &plan.draft.things[*at];

@@ -36,7 +36,8 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     let said = plan.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
     let mut about = said.filter(|s| mentions(&s.text, &it.name));
     let goes_along = |text: &str| {
-        let others = (0..plan.draft.things.len()).filter(|at| *at != thing && mentions(text, &plan.draft.things[*at].name));
+        let others =
+            (0..plan.draft.things.len()).filter(|at| *at != thing && mentions(text, &plan.draft.things[*at].name));
         let mut others = others.peekable();
         others.peek().is_some() && others.all(|at| plan.goes_with(at, thing))
     };

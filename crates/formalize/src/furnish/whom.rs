@@ -111,7 +111,9 @@ pub fn computers(brief: &mut Brief) {
         };
         let has_screen = |line: &Line| {
             matches!(line.count, Count::People(_))
-                && groups::of(line.noun, kind.dress).iter().any(|part| matches!(part.noun, "monitor" | "computer" | "laptop"))
+                && groups::of(line.noun, kind.dress)
+                    .iter()
+                    .any(|part| matches!(part.noun, "monitor" | "computer" | "laptop"))
         };
         if brief.things.iter().any(is_place) || kind.lines.iter().any(has_screen) {
             continue;

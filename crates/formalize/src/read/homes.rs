@@ -10,18 +10,48 @@ use crate::furnish::kinds;
 
 /// The most words of a room's name.
 const LONGEST: usize = 3;
+/// What a second room may be, and which rooms have the others in them.
+const ROOMS: [&str; 10] = [
+    "bedroom",
+    "bathroom",
+    "kitchen",
+    "living room",
+    "dining room",
+    "office",
+    "study",
+    "storage room",
+    "classroom",
+    "storeroom",
+];
+const WHOLE: [&str; 3] = ["studio apartment", "apartment", "hotel room"];
 /// Who has a room of their own at home.
 const CHILDREN: [&str; 18] = [
-    "daughter", "son", "boy", "girl", "child", "kid", "toddler", "daughters", "sons", "teenager", "brother", "brothers",
-    "sister", "sisters", "twins", "siblings", "boys", "girls",
+    "daughter",
+    "son",
+    "boy",
+    "girl",
+    "child",
+    "kid",
+    "toddler",
+    "daughters",
+    "sons",
+    "teenager",
+    "brother",
+    "brothers",
+    "sister",
+    "sisters",
+    "twins",
+    "siblings",
+    "boys",
+    "girls",
 ];
 /// So many share a flat where nobody says how many.
 const SHARED: &str = "three";
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] =
-        [own_bedroom, one_bedroom, rooms_listed, in_rooms, whose, lives, own_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
+        [own_bedroom, one_bedroom, rooms_listed, in_rooms, another_room, whose, lives, own_kitchen];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -92,6 +122,45 @@ fn own_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
     put(tokens, from, own + 2, &["with", SHARED, "bedrooms"]);
     if let Some(people) = people {
         tokens[from + 1] = Token { at: tokens[from + 1].at.clone(), ..people };
+    }
+    true
+}
+
+/// "A living room with a sofa and a bedroom with a bed", "a bedroom with a bed" as a sentence after that: the second room has it.
+fn another_room(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let starts = i > 0 && matches!(tokens[i - 1].kind, WordKind::Line | WordKind::Sign('.' | ';'));
+    let there = if matches!(word(tokens, i), "there") && matches!(word(tokens, i + 1), "is") { 2 } else { 0 };
+    let article = match word(tokens, i) {
+        "and" => i + 1,
+        _ if starts => i + there,
+        _ => return false,
+    };
+    let Some(end) =
+        Some(article).filter(|at| matches!(word(tokens, *at), "a" | "an")).and_then(|at| room(tokens, at + 1))
+    else {
+        return false;
+    };
+    let name = |from: usize, end: usize| (from..end).map(|k| word(tokens, k)).collect::<Vec<_>>().join(" ");
+    let own = name(article + 1, end);
+    // A bar or a lounge in a hotel is a part of it, and so may be a kitchenette.
+    let is_room = get().noun(&own).is_none() && ROOMS.iter().any(|room| own.ends_with(room));
+    let has = matches!(word(tokens, end), "with" | "has" | "containing");
+    let kind = kinds::named(&own).map(|kind| kind.name);
+    let begins = |k: usize| matches!(word(tokens, k), "a" | "an" | "the") && room(tokens, k + 1).is_some();
+    let other = (0..article.saturating_sub(2)).find(|k| begins(*k)).and_then(|k| {
+        let end = room(tokens, k + 1)?;
+        let first = matches!(word(tokens, end), "with" | "has" | "contains" | "that" | "where" | "");
+        kinds::named(&name(k + 1, end)).filter(|_| first).map(|kind| kind.name)
+    });
+    if !is_room || !has || is_home(tokens, i) || other.is_none_or(|other| Some(other) == kind || WHOLE.contains(&other))
+    {
+        return false;
+    }
+    put(tokens, end, end + 1, &["has"]);
+    let from = if word(tokens, i) == "and" { i } else { article - there };
+    put(tokens, from, article + 1, if starts { &["the"] } else { &[".", "the"] });
+    if !starts {
+        tokens[from].kind = WordKind::Sign('.');
     }
     true
 }

@@ -9,7 +9,9 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 54] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 56] = [
+            super::spelling::plain,
+            super::compass::plain,
             apart,
             together,
             each_other,

@@ -41,7 +41,8 @@ fn nth_one(tokens: &mut Vec<Token>, i: usize) -> bool {
     const NTH: [&str; 7] = ["first", "second", "third", "fourth", "last", "middle", "other"];
     const SAYS: [&str; 12] =
         ["is", "has", "stands", "holds", "faces", "sits", "hangs", "lies", "leans", "should", "must", "touches"];
-    let starts = begins(tokens, i) || i > 0 && (tokens[i - 1].is(",") || matches!(word(tokens, i - 1), "and" | "but" | "while"));
+    let starts =
+        begins(tokens, i) || i > 0 && (tokens[i - 1].is(",") || matches!(word(tokens, i - 1), "and" | "but" | "while"));
     if !starts || word(tokens, i) != "the" {
         return false;
     }
@@ -50,7 +51,10 @@ fn nth_one(tokens: &mut Vec<Token>, i: usize) -> bool {
     let which = usize::from(word(tokens, i + 2) == "of" && matches!(word(tokens, i + 3), "which" | "them")) * 2;
     let one = usize::from(word(tokens, i + 2) == "one") + which;
     let nth = NTH.contains(&word(tokens, i + 1)) && (one > 0 || word(tokens, i + 1) != "other");
-    if !(nth || side && one > 0) || !SAYS.contains(&word(tokens, i + 2 + one)) {
+    // "Two beds, the first under the window".
+    let comma = i > 0 && tokens[i - 1].is(",") && one == 0 && word(tokens, i + 1) != "last";
+    let placed = comma && tokens.get(i + 2..).and_then(|rest| get().relation(rest)).is_some_and(|(_, n)| n > 0);
+    if !(nth || side && one > 0) || !(SAYS.contains(&word(tokens, i + 2 + one)) || placed) {
         return false;
     }
     let Some(all) = counted(tokens, i, 2) else { return false };
@@ -62,8 +66,11 @@ fn nth_one(tokens: &mut Vec<Token>, i: usize) -> bool {
     if let Some(last) = of.last_mut() {
         last.text = singular(&last.text);
     }
+    if placed {
+        of.push(Token { text: "is".to_owned(), ..tokens[i].clone() });
+    }
     tokens.splice(i + 2..i + 2 + one, of);
-    if which > 0 && tokens[i - 1].is(",") {
+    if (which > 0 || placed) && tokens[i - 1].is(",") {
         tokens[i - 1].text = ".".to_owned();
         tokens[i - 1].kind = WordKind::Sign('.');
     }

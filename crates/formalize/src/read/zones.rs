@@ -213,9 +213,8 @@ fn on_rug(tokens: &mut Vec<Token>, i: usize) {
         let found = (i..tokens.len().min(i + LONGEST)).find(|k| any.iter().any(|word| tokens[*k].is(word)))?;
         (i..found).all(|k| get().is_look(&tokens[k].text)).then_some(found + 1)
     };
-    let ends = |tokens: &[Token], at: usize| {
-        tokens.get(at).is_none_or(|t| !t.word() || LISTS.iter().any(|word| t.is(word)))
-    };
+    let ends =
+        |tokens: &[Token], at: usize| tokens.get(at).is_none_or(|t| !t.word() || LISTS.iter().any(|word| t.is(word)));
     let Some(rug) = noun(tokens, i, &["rug", "carpet", "mat"]).filter(|at| ends(tokens, *at)) else { return };
     let soft = tokens.get(rug).filter(|t| t.is("and")).and_then(|_| {
         let first = rug + 1 + usize::from(tokens.get(rug + 1).is_some_and(|t| t.is("some")));
@@ -289,7 +288,10 @@ mod tests {
             ("an office with a meeting corner", "an office with a round table"),
             ("a bedroom with a cozy reading nook by the window", "a bedroom with a reading chair by the window"),
             ("a classroom with a reading corner with a rug", "a classroom with a rug in a corner"),
-            ("a hall with a play corner with a blue rug and two cushions.", "a hall with a blue rug in a corner and two cushions on it ."),
+            (
+                "a hall with a play corner with a blue rug and two cushions.",
+                "a hall with a blue rug in a corner and two cushions on it .",
+            ),
             ("a bedroom with a desk and a play area", "a bedroom with a desk and a play mat and a toy box"),
             ("a reading corner in my bedroom, with a lamp", "my bedroom with a reading chair , with a lamp"),
             ("a work area in the corner of a bedroom", "a bedroom with a desk in the corner"),

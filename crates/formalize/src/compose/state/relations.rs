@@ -145,7 +145,8 @@ impl Named<'_> {
     /// Twice as many of one as of the other: one at each side.
     pub fn both_sides(&self, a: usize, b: usize) -> Option<String> {
         let m = self.counts[b];
-        if self.counts[a] != 2 * m || !self.array(a) || a == b {
+        let own = self.elements(a);
+        if own.len().max(self.counts[a]) != 2 * m || !self.array(a) && own.len() != 2 || a == b {
             return None;
         }
         let side = |x: &str, i: usize, y: &str| {
@@ -153,7 +154,7 @@ impl Named<'_> {
         };
         let of = self.name(a);
         Some(if m == 1 {
-            let each: Vec<String> = (0..2).map(|i| side(&format!("{of}[{i}]"), i, self.name(b))).collect();
+            let each: Vec<String> = (0..2).map(|i| side(&own[i], i, self.name(b))).collect();
             each.join(" and ")
         } else {
             let to = format!("{}[i]", self.name(b));

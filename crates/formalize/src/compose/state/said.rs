@@ -6,6 +6,8 @@ use crate::brief::{FactKind, Group, Pattern, Place, Rel};
 use crate::compose::sizes;
 use crate::write::number;
 
+/// What is opposite something is no nearer to it than this part of the shorter side of its room.
+const SMALL_ROOM: f64 = 0.35;
 /// What is lower than this may stand at the foot of a bed, so far from it (metres).
 const LOW: f64 = 0.7;
 const AT_FOOT: f64 = 0.6;
@@ -194,14 +196,12 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&call("looksAt"))));
                 // A screen is seen from its front; of the rest, what faces something is mostly before its front.
                 let back = match gb {
-                    _ if !self.one_each(a, b) => None,
-                    Group::Screen => Some(verb),
-                    Group::Wall if self.screen(b) => Some(verb),
-                    Group::Seat | Group::Storage | Group::Bed | Group::Wall => Some("prefer"),
-                    _ => None,
+                    _ if !self.one_each(a, b) => false,
+                    Group::Screen | Group::Seat | Group::Storage | Group::Bed | Group::Wall => true,
+                    _ => false,
                 };
-                if let Some(verb) = back {
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("looksAt({y}, {x})"))));
+                if back {
+                    out.push(format!("prefer {};", pairs(&|x, y| format!("looksAt({y}, {x})"))));
                 }
             }
             Rel::Opposite => {
@@ -215,7 +215,10 @@ impl Named<'_> {
                 };
                 out.push(format!("{verb} {};", pairs(&f)));
                 if !(ga == Group::Seat && gb == Group::Seat) && ga != Group::Top && gb != Group::Top {
-                    out.push(format!("{verb} {};", pairs(&|x, y| format!("far({x}, {y}, {})", number(ACROSS)))));
+                    // In a small room nothing is far from anything.
+                    let room = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0; 3]);
+                    let across = ((SMALL_ROOM * room[0].min(room[2]) * 20.0).floor() / 20.0).min(ACROSS);
+                    out.push(format!("{verb} {};", pairs(&|x, y| format!("far({x}, {y}, {})", number(across)))));
                 }
             }
             _ => {}
@@ -232,6 +235,14 @@ impl Named<'_> {
     /// Whether it is a desk at whose front its user sits.
     fn sat_at(&self, item: usize) -> bool {
         const OTHER: [&str; 3] = ["reception", "front", "information"];
+        // "A chair behind each desk": at its back.
+        let is_seat = |of: &usize| self.brief.things[*of].group == Group::Seat;
+        let behind = self.brief.facts.iter().any(|fact| {
+            matches!(&fact.what, FactKind::Rel(Rel::Behind, to) if to.contains(&item)) && fact.of.iter().any(is_seat)
+        });
+        if behind {
+            return false;
+        }
         let words = &self.brief.things[item].words;
         self.brief.things[item].part.is_none()
             && words.last().is_some_and(|w| w == "desk")

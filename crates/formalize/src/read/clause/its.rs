@@ -144,6 +144,7 @@ impl Reader<'_> {
         }
         let not = std::mem::take(&mut self.s.not);
         if of.is_empty() || of == object || self.preposed(i, i + 1, end) {
+            let rel = if rel == Rel::Beside && self.sides(i) { Rel::Sides } else { rel };
             self.s.lead.push((rel, Lead::Items(object, false)));
         } else if not {
             let soft = self.soft();

@@ -6,16 +6,19 @@ use super::*;
 const ONE_SIDED: [&str; 6] = ["desk", "bar", "counter", "island", "workbench", "bench"];
 
 impl Reader<'_> {
+    /// The same, but where there are as many of both, there is one for each: "five placemats, aligned with each chair".
+    pub(super) fn share_out(&mut self, fresh: &[usize], owner: usize) {
+        let all = self.brief.count(owner);
+        let even = |f: &usize| self.brief.things[*f].number.said().is_some_and(|n| n > 1 && n == all);
+        let fresh: Vec<usize> = fresh.iter().copied().filter(|f| !even(f)).collect();
+        self.multiply(&fresh, owner);
+    }
+
     /// So many of these for each of the owner's; a seat has no tables and no cupboards of its own.
     pub(super) fn multiply(&mut self, fresh: &[usize], owner: usize) {
         let seat = self.brief.things[owner].group == Group::Seat;
-        let all = self.brief.count(owner);
         for f in fresh {
             let item = &mut self.brief.things[*f];
-            // "five placemats, aligned with each chair": one for each, where there are as many.
-            if item.number.said().is_some_and(|n| n > 1 && n == all) {
-                continue;
-            }
             let own = item.number.said().unwrap_or(1);
             let large = matches!(item.group, Group::Table | Group::Storage | Group::Bed);
             if *f != owner && !item.number.follows() && !(seat && large) {
@@ -49,7 +52,7 @@ impl Reader<'_> {
                 }
                 Lead::Items(items, each) => {
                     if *each && items.len() == 1 {
-                        self.multiply(&fresh, items[0]);
+                        self.share_out(&fresh, items[0]);
                     }
                     self.s.quantifier = if *each { Quantifier::Each } else { Quantifier::Usual };
                     self.relate(&of, *rel, items);

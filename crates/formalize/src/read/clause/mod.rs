@@ -659,7 +659,8 @@ impl<'a> Reader<'a> {
     fn add_look(&mut self, items: &[usize], look: &crate::draft::Look) {
         for i in items {
             // What one of several looks like takes the place of what all look like.
-            let all = self.brief.things[*i].part.as_ref().and_then(|part| self.brief.things[part.of].look.color.clone());
+            let all =
+                self.brief.things[*i].part.as_ref().and_then(|part| self.brief.things[part.of].look.color.clone());
             let to = &mut self.brief.things[*i].look;
             if look.color.is_some() && to.color == all {
                 to.color = None;

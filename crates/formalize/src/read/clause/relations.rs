@@ -179,7 +179,7 @@ impl Reader<'_> {
                     .copied()
                     .filter(|o| self.brief.things[*o].source.at().start >= self.s.at.start && !items.contains(o))
                     .collect();
-                self.multiply(&fresh, items[0]);
+                self.share_out(&fresh, items[0]);
             }
             if negative {
                 let soft = self.soft();
@@ -511,7 +511,7 @@ impl Reader<'_> {
                             }
                             let both = matches!(place, Place::Side | Place::End) && which.iter().any(|w| w == "each");
                             if both && of_length(&which).is_none() {
-                                self.s.turned = Some(Rel::Beside);
+                                self.s.turned = Some(Rel::Sides);
                                 self.s.lead_twice |= !self.s.subject;
                                 self.double();
                             }

@@ -751,7 +751,7 @@ impl Reader<'_> {
                     let small =
                         matches!(self.brief.things[owner[0]].group, Group::Top | Group::Screen | Group::Ceiling);
                     if self.s.each || !(small || self.s.together) {
-                        self.multiply(&own, owner[0]);
+                        if self.s.each { self.multiply(&own, owner[0]) } else { self.share_out(&own, owner[0]) }
                     }
                 }
                 self.join(&owner, &fresh, join);

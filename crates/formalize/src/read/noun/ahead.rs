@@ -191,7 +191,8 @@ pub(super) fn names_something(rest: &[Token]) -> bool {
     let rest = &rest[counted.min(rest.len())..];
     rest.first().filter(|t| t.word()).is_some_and(|t| match place(&t.text) {
         Some(place) => place == Place::Row,
-        None => before_noun(rest),
+        // "The first picture", not "the first stands".
+        None => before_noun(rest) || !t.text.ends_with('s') && longest_noun(rest).is_some(),
     })
 }
 

@@ -1,0 +1,254 @@
+//! Other ways to write the same: "a night stand" is a nightstand, "two white chairs and one black" are three chairs, "each of
+//! which" after several things is each of them, "there aren't any" are none.
+
+use super::lexicon::{Class, get, singular};
+use super::number;
+use super::paraphrase::{ends, put, word};
+use super::shares::{counted, noun};
+use super::token::{Token, WordKind};
+use scenelang_lang::nouns::plural;
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
+        [joined, and_one, each_of, stacked, each_wall, not_any, has_been, which_hangs, rows_with];
+    turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "A night stand", "an arm chair": one word, where the two are not a name of their own.
+fn joined(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let [first, second] = [word(tokens, i), word(tokens, i + 1)];
+    if first.len() < 3 || second.len() < 3 {
+        return false;
+    }
+    let last = singular(second);
+    let known = |name: &str| scenelang_lang::nouns::noun(name).is_some();
+    let one = format!("{first}{last}");
+    // "A night stand" is no stand, though a name of two words may be known as well.
+    let ends = ["stand", "chair", "shelf", "case", "board"].contains(&last.as_str());
+    let is_one = known(&one) && get().noun(&one).is_some() && (ends || !known(&format!("{first} {last}")));
+    // "A desk top lamp": more belongs to the name.
+    let goes_on = !word(tokens, i + 2).is_empty() && known(&format!("{last} {}", word(tokens, i + 2)));
+    if !is_one || goes_on || get().is(first, Class::Stop) {
+        return false;
+    }
+    let text = format!("{first}{second}");
+    put(tokens, i, i + 2, &[&text]);
+    true
+}
+
+/// "Two white chairs and one black": one black chair.
+fn and_one(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "and" {
+        return false;
+    }
+    let Some((n, used)) = number::count(tokens.get(i + 1..).unwrap_or_default()) else { return false };
+    let look = i + 1 + used;
+    if n < 1.0
+        || !get().is_look(word(tokens, look))
+        || get().noun(word(tokens, look)).is_some()
+        || !ends(tokens, look + 1)
+    {
+        return false;
+    }
+    let Some(all) = counted(tokens, i, 1).filter(|all| all.noun.end == i) else { return false };
+    let mut of = tokens[all.noun].to_vec();
+    if n == 1.0
+        && let Some(last) = of.last_mut()
+    {
+        last.text = singular(&last.text);
+    }
+    let at = tokens[look].at.clone();
+    of.iter_mut().for_each(|token| token.at = at.clone());
+    tokens.splice(look + 1..look + 1, of);
+    true
+}
+
+/// "A sofa between two tables, each of which has a lamp": each table. "Each of them has two chairs": each of those counted last.
+fn each_of(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let which = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
+        ["each", "of", "which"] => true,
+        ["each", "of", "them"] if i == 0 || matches!(tokens[i - 1].kind, WordKind::Sign('.') | WordKind::Line) => false,
+        _ => return false,
+    };
+    let comma = which && i > 0 && tokens[i - 1].is(",");
+    if which && !comma {
+        return false;
+    }
+    let Some(all) = counted(tokens, if comma { i - 1 } else { i }, 2) else { return false };
+    // What was named last, and not what is before that.
+    if comma && all.noun.end != i - 1 {
+        return false;
+    }
+    let mut of: Vec<String> = tokens[all.noun].iter().map(|t| t.text.clone()).collect();
+    if let Some(last) = of.last_mut() {
+        *last = singular(last);
+    }
+    let said: Vec<&str> = std::iter::once("each").chain(of.iter().map(String::as_str)).collect();
+    put(tokens, i, i + 3, &said);
+    if comma {
+        tokens[i - 1].text = ".".to_owned();
+        tokens[i - 1].kind = WordKind::Sign('.');
+    }
+    true
+}
+
+/// "Two barrels are stacked in the corner": on top of each other.
+fn stacked(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i + 1) != "stacked" || !matches!(word(tokens, i), "are" | "stand" | "lie") {
+        return false;
+    }
+    let Some(all) = counted(tokens, i, 2).filter(|all| all.noun.end == i) else { return false };
+    let on_each_other = word(tokens, i + 2) == "on" && matches!(word(tokens, i + 3), "top" | "each");
+    let end = if on_each_other {
+        (i + 3..tokens.len().min(i + 8)).find(|k| word(tokens, *k) == "other")
+    } else {
+        Some(i + 1)
+    };
+    let Some(end) = end else { return false };
+    let verb: &[&str] = if ends(tokens, end + 1) { &[] } else { &["are"] };
+    put(tokens, i, end + 1, &[&["on", "top", "of", "each", "other"], verb].concat());
+    all.noun.end == i
+}
+
+/// "A picture hangs on each wall", "on each wall hangs a picture": four, one on each of the walls.
+fn each_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WALLS: [&str; 4] = ["left", "right", "back", "front"];
+    const NTH: [&str; 4] = ["first", "second", "third", "fourth"];
+    let said =
+        word(tokens, i) == "on" && matches!(word(tokens, i + 1), "each" | "every") && word(tokens, i + 2) == "wall";
+    if !said || i > 0 && tokens[i - 1].is(",") {
+        return false;
+    }
+    let starts = |k: usize| k == 0 || matches!(tokens[k - 1].kind, WordKind::Sign('.' | ';') | WordKind::Line);
+    let hangs = |k: usize| matches!(word(tokens, k), "hangs" | "is" | "hung" | "mounted");
+    let article = |k: usize| matches!(word(tokens, k), "a" | "an" | "one");
+    let named = |from: usize| noun(tokens, from + 1).map(|name| (from + 1, name));
+    // Where the sentence begins and ends, and what it is about.
+    let (from, to, (look, name)) = if starts(i) {
+        let at = i + 3 + usize::from(word(tokens, i + 3) == "there");
+        let Some(thing) = Some(at).filter(|at| hangs(*at) && article(at + 1)).and_then(|at| named(at + 1)) else {
+            return false;
+        };
+        (i, thing.1.end, thing)
+    } else {
+        let begin = (0..i).rev().find(|k| starts(*k)).unwrap_or(0);
+        let begin = begin + if word(tokens, begin) == "there" { 2 } else { 0 };
+        let Some(thing) = Some(begin).filter(|at| article(*at)).and_then(named) else { return false };
+        let verbs = thing.1.end..i;
+        if verbs.len() > 2 || !verbs.clone().all(hangs) {
+            return false;
+        }
+        (begin, i + 3, thing)
+    };
+    if !ends(tokens, to) || word(tokens, to) == "and" {
+        return false;
+    }
+    let thing: Vec<String> = tokens[name.clone()].iter().map(|t| t.text.clone()).collect();
+    let looks: Vec<String> = tokens[look..name.start].iter().map(|t| t.text.clone()).collect();
+    let mut many = thing.clone();
+    if let Some(last) = many.last_mut() {
+        *last = plural(last);
+    }
+    let mut words: Vec<String> = [vec!["four".to_owned()], looks, many].concat();
+    words.extend(["hang", "on", "the", "walls"].map(str::to_owned));
+    for (nth, wall) in NTH.iter().zip(WALLS) {
+        words.extend([".", "the", nth].map(str::to_owned));
+        words.extend(thing.iter().cloned());
+        words.extend(["hangs", "on", "the", wall, "wall"].map(str::to_owned));
+    }
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    put(tokens, from, to, &words);
+    for token in tokens[from..].iter_mut().take(words.len()).filter(|token| token.text == ".") {
+        token.kind = WordKind::Sign('.');
+    }
+    true
+}
+
+/// "There aren't any windows": there are no windows.
+fn not_any(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "not" {
+        return false;
+    }
+    let verb = i > 0 && matches!(word(tokens, i - 1), "is" | "are" | "was" | "were" | "has" | "have");
+    let (to, words): (usize, &[&str]) = match [word(tokens, i + 1), word(tokens, i + 2)] {
+        ["any", _] if verb => (i + 2, &["no"]),
+        ["any", _] => (i + 2, &["is", "no"]),
+        ["have" | "need" | "contain", "any"] => (i + 3, &["has", "no"]),
+        _ => return false,
+    };
+    put(tokens, i, to, words);
+    true
+}
+
+/// "A chair has been placed next to the desk": is placed.
+fn has_been(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "has" | "have" | "had") && word(tokens, i + 1) == "been";
+    if said {
+        let be = if word(tokens, i) == "have" { "are" } else { "is" };
+        put(tokens, i, i + 2, &[be]);
+    }
+    said
+}
+
+/// "The TV, which hangs on the wall": which is on the wall.
+fn which_hangs(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "which" | "that")
+        && matches!(word(tokens, i + 1), "hangs" | "stands" | "sits" | "lies" | "rests")
+        && matches!(word(tokens, i + 2), "on" | "against" | "in" | "at" | "by" | "near" | "next" | "beside");
+    if said {
+        put(tokens, i + 1, i + 2, &["is"]);
+    }
+    said
+}
+
+/// "Three rows with four chairs each": three rows of four chairs.
+fn rows_with(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "rows" && word(tokens, i + 1) == "with" && i > 0;
+    let Some((_, used)) = tokens.get(i + 2..).and_then(number::count).filter(|_| said) else { return false };
+    let Some(name) = noun(tokens, i + 2 + used).filter(|name| word(tokens, name.end) == "each") else { return false };
+    tokens.remove(name.end);
+    put(tokens, i + 1, i + 2, &["of"]);
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::paraphrase;
+
+    #[test]
+    fn other_spellings_become_usual_ones() {
+        for (text, becomes) in [
+            ("a night stand and two arm chairs", "a nightstand and two armchairs"),
+            ("a coffee table and a side table", "a coffee table and a side table"),
+            ("two white chairs and one black.", "two white chairs and one black chair ."),
+            ("two white chairs and one black stool.", "two white chairs and one black stool ."),
+            (
+                "a sofa between two tables, each of which has a lamp.",
+                "a sofa between two tables . each table has a lamp .",
+            ),
+            ("two tables. each of them has a lamp.", "two tables . each table has a lamp ."),
+            ("two barrels are stacked in the corner.", "two barrels on top of each other are in the corner ."),
+            ("there aren't any windows.", "there is no windows ."),
+            ("there are not any chairs.", "there are no chairs ."),
+            ("the room doesn't have any windows.", "the room has no windows ."),
+            ("a chair has been placed next to the desk.", "a chair is placed next to the desk ."),
+            ("a sofa facing the tv, which hangs on the wall.", "a sofa facing the tv , which is on the wall ."),
+            ("three rows with four chairs each.", "three rows of four chairs ."),
+            ("three boxes are stacked on top of each other.", "three boxes on top of each other ."),
+        ] {
+            assert_eq!(paraphrase::plainly(text), becomes);
+        }
+    }
+
+    #[test]
+    fn each_wall_has_its_own() {
+        let becomes = paraphrase::plainly("on each wall hangs a red picture.");
+        assert!(
+            becomes.starts_with("four red pictures hang on the walls . the first picture hangs on the left wall .")
+        );
+        let becomes = paraphrase::plainly("a lamp is mounted on every wall.");
+        assert!(becomes.starts_with("four lamps hang on the walls . the first lamp hangs"), "{becomes}");
+        assert_eq!(paraphrase::plainly("a lamp hangs on the wall."), "a lamp hangs on the wall .");
+    }
+}
