@@ -262,7 +262,7 @@ fn on_each_side(tokens: &mut Vec<Token>, i: usize) -> bool {
     let side = on + 2 + long;
     let place: &[&str] = match word(tokens, side) {
         "side" | "sides" => &["on", "its", "long", "sides"],
-        "end" => &["at", "its", "ends"],
+        "end" => &["on", "the", "left", "and", "right"],
         _ => return false,
     };
     if word(tokens, side + 1) == "of" {
@@ -385,7 +385,7 @@ mod tests {
             ("a table with six chairs, three on each side", "a table with six chairs , all of them on its long sides"),
             (
                 "a table with six chairs, two on each long side and one at each end",
-                "a table with six chairs , 4 of them on its long sides and 2 of them at its ends",
+                "a table with six chairs , 4 of them on its long sides and 2 of them on the left and right",
             ),
             ("a table with two chairs on each long side", "a table with 4 chairs on its long sides"),
             ("a table with three chairs on one side and one on the other", "a table with 4 chairs on its long sides"),
