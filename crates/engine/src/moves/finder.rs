@@ -31,6 +31,8 @@ const JUDGED: usize = 8;
 const STEPS: usize = 4;
 /// So often what a move would break becomes a goal.
 const ROUNDS: usize = 5;
+/// Of so many ways to satisfy goals no more are looked for.
+const WAYS: usize = 4;
 /// So many rows are named that pull the other way.
 const OPPOSING: usize = 3;
 
@@ -296,17 +298,19 @@ impl<'a> MoveFinder<'a> {
             }
         }
         let half = attempt.limit.saturating_sub(self.stage.work) / 2;
+        let more = |limit: usize, stage: &Stage<'_>| limit.max(stage.work + half);
         for from in [From::Here, From::Afar] {
             let far = from == From::Afar;
             if far {
                 // However dear it was to look around, something is left for places farther off.
-                attempt.limit = attempt.limit.max(self.stage.work + half);
+                attempt.limit = more(attempt.limit, &self.stage);
             }
             for _ in 0..ROUNDS {
                 if self.stage.has_spent(attempt.limit) {
                     break;
                 }
                 if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) {
+                    attempt.limit = more(attempt.limit, &self.stage);
                     return self.properly(best, &attempt, &riders);
                 }
                 let found = self.judged(&attempt, &riders, from);
@@ -330,6 +334,7 @@ impl<'a> MoveFinder<'a> {
                 attempt.goals.extend(new);
             }
         }
+        attempt.limit = more(attempt.limit, &self.stage);
         self.properly(best, &attempt, &riders)
     }
 
@@ -361,6 +366,26 @@ impl<'a> MoveFinder<'a> {
         found
     }
 
+    /// Goals, and the same with one way to satisfy one of them in its place, for each way; where places are given, all of
+    /// them are tried anyway.
+    fn different(&mut self, goals: &[Goal], object: ObjectId, places: From) -> Vec<Vec<Goal>> {
+        let mut sets = vec![goals.to_vec()];
+        if places == From::Proper {
+            return sets;
+        }
+        for (i, &goal) in goals.iter().enumerate() {
+            if sets.len() > WAYS || self.stage.truth(goal).is_some_and(|t| t.holds) {
+                continue;
+            }
+            for way in self.stage.ways(goal, object) {
+                let mut set = goals.to_vec();
+                set.splice(i..=i, way);
+                sets.push(set);
+            }
+        }
+        sets
+    }
+
     /// Moves of an object with what goes along, by what they do; up to the first that neither does harm nor is awkward.
     fn judged(&mut self, attempt: &Attempt<'_>, riders: &[ObjectId], places: From) -> Vec<Judged> {
         let Attempt { object, goals, rows, steps, free, limit } = attempt;
@@ -378,15 +403,20 @@ impl<'a> MoveFinder<'a> {
             wanting.extend(if parts.is_empty() { vec![*goal] } else { parts });
         }
         let directed = self.stage.is_about_direction(&wanting, *object);
-        let Some(search) = MoveSearch::new(&mut self.stage, goals, (from, riders), freedom, *limit) else {
-            return Vec::new();
-        };
-        let search = search.directed(directed);
-        let mut candidates = match places {
-            From::Here => search.near(),
-            From::Afar => search.far(),
-            From::Proper => search.proper(),
-        };
+        let mut candidates = Vec::new();
+        for goals in self.different(goals, *object, places) {
+            let Some(search) = MoveSearch::new(&mut self.stage, &goals, (from, riders), freedom, *limit) else {
+                return Vec::new();
+            };
+            let search = search.directed(directed);
+            candidates.extend(match places {
+                From::Here => search.near(),
+                From::Afar => search.far(),
+                From::Proper => search.proper(),
+            });
+        }
+        candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+        candidates.dedup_by(|a, b| a.1 == b.1);
         if directed {
             candidates.sort_by_key(|(_, step)| !choice::is_turn(step));
         }

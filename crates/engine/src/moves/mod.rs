@@ -1,5 +1,5 @@
 //! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), how the
-//! moves of one object are found ([`search`], [`proper`]), what is awkward about where they lead ([`flaws`]), and which of
+//! moves of one object are found ([`search`], [`proper`], [`ways`]), what is awkward about where they lead ([`flaws`]), and which of
 //! them are offered ([`choice`]).
 
 mod choice;
@@ -8,6 +8,7 @@ mod flaws;
 mod proper;
 mod search;
 mod stage;
+mod ways;
 
 pub(crate) use finder::MoveFinder;
 

@@ -20,7 +20,7 @@ const BEFORE: [f64; 4] = [0.05, 0.2, 0.3, 0.4];
 const KNEES: [f64; 4] = [0.3, 0.4, 0.2, 0.05];
 /// Spaces between what stands side by side (metres).
 const BESIDE: [f64; 2] = [0.05, 0.2];
-/// What it counts that the backs are not in line, or that a seat stands beside something instead of before a table (metres).
+/// What it counts that the middles or the fronts are in line and not the backs, or that a seat stands beside something instead of before a table (metres).
 const SECOND: f64 = 0.5;
 /// What a metre counts of a way to a wall: a plant is carried across a room before a bed is pushed aside.
 const LIGHT: f64 = 0.01;
@@ -134,13 +134,14 @@ fn before(seat: &Pose, table: &Pose, desk: bool) -> Vec<(f64, Vec<Pose>)> {
     sides.into_iter().take(count).map(|side| (0.0, spaces.map(|space| spot(side, space)).into())).collect()
 }
 
-/// At either side of another object, the backs in line or the middles; turned as it is, or as that is. With each, what it counts.
+/// At either side of another object, the backs in line, the middles or the fronts; turned as it is, or as that is. With each, what it counts.
 fn beside(own: &Pose, other: &Pose) -> Vec<(f64, Vec<Pose>)> {
     let [front, right] = [other.front(), other.right()];
     let mut out = Vec::new();
     for turned in [*own, own.facing(other.rot.y)] {
         let [deep, wide] = [front, right].map(|way| turned.reach(&way));
-        for (along, more) in [(deep - other.scale.z / 2.0, 0.0), (0.0, SECOND)] {
+        let back = deep - other.scale.z / 2.0;
+        for (along, more) in [(back, 0.0), (0.0, SECOND), (-back, SECOND)] {
             for side in [right, -right] {
                 let spot = |space: f64| {
                     let pos = other.pos + side * (other.scale.x / 2.0 + wide + space) + front * along;

@@ -46,16 +46,16 @@ impl Consequences {
 
 pub(super) struct Stage<'a> {
     pub program: &'a Program,
-    state: State,
+    pub(super) state: State,
     /// By object: the box around it in the layout.
     boxes: Vec<Option<Aabb>>,
     /// The same with derivatives, made when they are first asked for.
     dual: Option<Mirror<Slope>>,
-    scope: Scope,
-    index: Index,
+    pub(super) scope: Scope,
+    pub(super) index: Index,
     /// By constraint: what judging it costs.
-    costs: Vec<usize>,
-    scratch: Scratch<f64>,
+    pub(super) costs: Vec<usize>,
+    pub(super) scratch: Scratch<f64>,
     slopes: Scratch<Slope>,
     before: FxHashMap<RowRef, Option<Truth<f64>>>,
     /// By object: what it rests on in the layout, as far as somebody has asked.
@@ -147,7 +147,7 @@ impl<'a> Stage<'a> {
         steps.iter().for_each(|step| self.put(step));
     }
 
-    fn pay(&mut self, cost: usize) {
+    pub(super) fn pay(&mut self, cost: usize) {
         self.work += cost;
         if cost > DEAR {
             self.purse = self.purse.saturating_sub(cost);
@@ -392,7 +392,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The formula that a goal is about, if it is about one, and the part that is to hold.
-    fn formula(&self, goal: Goal) -> Option<(usize, &'a Formula, NodeId)> {
+    pub(super) fn formula(&self, goal: Goal) -> Option<(usize, &'a Formula, NodeId)> {
         let index = match goal {
             Goal::Row(RowRef { subject: Subject::Statement(index), .. }) | Goal::Part(index, _) => index,
             Goal::Row(_) => return None,
@@ -408,7 +408,8 @@ impl<'a> Stage<'a> {
             return Vec::new();
         }
         let node = self.scratch.deciding_from(formula, from);
-        let mut objects = objects_of(formula, node);
+        let mut objects = self.candidates(formula, from);
+        objects.extend(objects_of(formula, node));
         objects.extend(in_the_way(formula, node, &self.scratch, self.state.world()));
         if objects.is_empty() {
             objects = objects_of(formula, from);
