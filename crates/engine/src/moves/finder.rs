@@ -31,6 +31,8 @@ const JUDGED: usize = 8;
 const STEPS: usize = 4;
 /// So often what a move would break becomes a goal.
 const ROUNDS: usize = 5;
+/// What goes farther than this is carried, and may as well be put where such things stand (metres).
+const FAR: f64 = 1.0;
 /// Of so many ways to satisfy goals no more are looked for.
 const WAYS: usize = 4;
 /// So many rows are named that pull the other way.
@@ -338,9 +340,10 @@ impl<'a> MoveFinder<'a> {
         self.properly(best, &attempt, &riders)
     }
 
-    /// The best move of an object; where the one that is known is awkward, it may go where such things stand.
+    /// The best move of an object; where the one that is known is awkward or goes far, it may go where such things stand.
     fn properly(&mut self, known: Option<Judged>, attempt: &Attempt<'_>, riders: &[ObjectId]) -> Option<Judged> {
-        if known.as_ref().is_some_and(|known| known.is_sound()) || self.stage.has_spent(attempt.limit) {
+        let near = |known: &Judged| known.is_sound() && known.cost <= FAR;
+        if known.as_ref().is_some_and(near) || self.stage.has_spent(attempt.limit) {
             return known;
         }
         let mut best = known;
@@ -392,8 +395,14 @@ impl<'a> MoveFinder<'a> {
         let [pos, turn] = self.stage.pins(*object, free);
         let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
         let earlier = steps.iter().find(|s| s.object == *object).copied();
-        let from = earlier.unwrap_or(ObjectMove { object: *object, by: [0.0; 3], turn: 0.0, with: None });
+        let here = ObjectMove { object: *object, by: [0.0; 3], turn: 0.0, with: None };
         self.stage.set(steps);
+        let mut froms = vec![earlier.unwrap_or(here)];
+        if earlier.is_none() && freedom.pos {
+            // What stands on something and belongs on the floor is looked for places there first.
+            let drop = self.stage.drop_to_floor(*object);
+            froms.splice(0..0, drop.map(|far| ObjectMove { by: [0.0, -far, 0.0], ..here }));
+        }
         let asked: Vec<Goal> = rows.iter().map(|row| Goal::Row(*row)).collect();
         let asked = if asked.is_empty() { goals } else { &asked };
         // Of a conjunction what fails counts: a chair before its desk that looks away is to be turned.
@@ -405,15 +414,17 @@ impl<'a> MoveFinder<'a> {
         let directed = self.stage.is_about_direction(&wanting, *object);
         let mut candidates = Vec::new();
         for goals in self.different(goals, *object, places) {
-            let Some(search) = MoveSearch::new(&mut self.stage, &goals, (from, riders), freedom, *limit) else {
-                return Vec::new();
-            };
-            let search = search.directed(directed);
-            candidates.extend(match places {
-                From::Here => search.near(),
-                From::Afar => search.far(),
-                From::Proper => search.proper(),
-            });
+            for from in &froms {
+                let Some(search) = MoveSearch::new(&mut self.stage, &goals, (*from, riders), freedom, *limit) else {
+                    return Vec::new();
+                };
+                let search = search.directed(directed);
+                candidates.extend(match places {
+                    From::Here => search.near(),
+                    From::Afar => search.far(),
+                    From::Proper => search.proper(),
+                });
+            }
         }
         candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
         candidates.dedup_by(|a, b| a.1 == b.1);
@@ -423,7 +434,7 @@ impl<'a> MoveFinder<'a> {
         let mut found = Vec::new();
         // Of each kind, turns and others, the first that is sound is enough.
         let mut done = [false; 2];
-        for (i, (cost, step)) in candidates.into_iter().take(JUDGED).enumerate() {
+        for (i, (cost, step)) in candidates.into_iter().take(JUDGED * froms.len()).enumerate() {
             if i > 0 && self.stage.has_spent(self.limit) {
                 break;
             }
@@ -442,7 +453,7 @@ impl<'a> MoveFinder<'a> {
             }
             let moved: Vec<ObjectId> = all.iter().map(|s| s.object).collect();
             let does = self.stage.consequences(&moved);
-            if !self.stage.lands(&moved, asked).is_empty() {
+            if !self.stage.lands(&all, asked).is_empty() {
                 continue;
             }
             let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();

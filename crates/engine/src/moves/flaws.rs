@@ -20,7 +20,7 @@ const ALONE: f64 = 0.2;
 const BELONGS: f64 = 0.4;
 /// What is narrower is a chair, what is wider a sofa or an armchair (metres).
 pub(super) const CHAIR: f64 = 0.75;
-/// A lower seat is for feet, and may stand before another one (metres).
+/// A lower seat has no back: one may sit or put one's feet on it from any side (metres).
 const STOOL: f64 = 0.6;
 /// What is wider seats several people, who have a wall behind them (metres).
 const SOFA: f64 = 1.3;
@@ -32,6 +32,12 @@ const STRAY: f64 = 0.5;
 const SLIM: f64 = 0.5;
 /// What is turned by less than this from the walls of its room is square to them (degrees).
 const SQUARE: f64 = 0.5;
+
+/// The middle of a carpet is so much of it.
+const MIDDLE: f64 = 0.3;
+
+/// Roles of what may be under other things.
+const UNDER: [&str; 6] = ["carpet", "item", "device", "decor", "curtain", "heating"];
 
 /// Roles of what stands at a wall, in a corner or beside furniture, but never in the middle of a room.
 const STANDS_ASIDE: [&str; 3] = ["light", "plant", "decor"];
@@ -61,6 +67,10 @@ pub(super) enum Flaw {
     Stray(ObjectId),
     /// It is not square to the walls.
     Askew(ObjectId),
+    /// The first stands under the second, where a foot or a bag may be, but no furniture.
+    Beneath(ObjectId, ObjectId),
+    /// Of the tables that stand on a carpet none stands on its middle.
+    OffCentre(ObjectId),
 }
 
 /// An object as it is seen here.
@@ -95,10 +105,21 @@ impl Thing<'_> {
         stands_aside(self.role, &(2.0 * self.obb.half))
     }
 
+    /// Whether it is a seat without a back, which has no front.
+    fn is_stool(&self) -> bool {
+        self.role == "seat" && self.top() - self.bottom() < STOOL
+    }
+
     /// Whether a chair can belong to it, or stand in a row with it.
     fn is_furniture(&self) -> bool {
         let others = ["carpet", "curtain", "wallDecor", "door", "window", "item", "divider", "heating"];
         !self.stands_aside() && !others.contains(&self.role)
+    }
+
+    /// Whether a point is over it, seen from above, as if it were larger or smaller by a factor.
+    fn is_around(&self, at: &Vec3, factor: f64) -> bool {
+        let by = at - self.obb.center;
+        [0, 2].into_iter().all(|i| by.dot(&self.axis(i)).abs() < factor * self.obb.half[i])
     }
 
     /// Whether people sit at it.
@@ -116,6 +137,7 @@ impl Thing<'_> {
         };
         let before = |depth: f64, part: f64| space(deep + depth / 2.0, 0.0, depth / 2.0, part * half);
         match self.role {
+            "seat" if self.is_stool() => Vec::new(),
             "seat" => vec![before(0.5, 0.8)],
             "storage" | "appliance" | "sanitary" | "desk" => vec![before(0.6, 1.0)],
             "door" => vec![space(0.0, 0.0, deep + 0.8, half)],
@@ -133,9 +155,8 @@ impl Thing<'_> {
         match (owner.role, self.role) {
             (_, "carpet" | "door" | "window" | "curtain") => false,
             ("window", role) => self.top() - owner.bottom() > 0.1 && self.bottom() < owner.top() && role != "light",
-            ("seat", role) => {
-                let stool = role == "seat" && self.top() - owner.bottom() < STOOL;
-                stands && !(low || stool || self.is_table())
+            ("seat", _) => {
+                stands && !(low || self.is_stool() || self.is_table())
             }
             ("desk" | "bed" | "storage", "seat") => false,
             _ => stands && !low,
@@ -204,8 +225,28 @@ impl<'a> Sense<'a> {
             let wall = |p: Vec3| room.polygon.clearance_of_point(Vec2::new(p.x, p.z)).value;
             self.walls(thing, room, &wall, found);
         }
-        if thing.role == "seat" {
+        if thing.role == "seat" && !thing.is_stool() {
             self.seat(thing, found);
+        }
+        if thing.role == "carpet" {
+            self.carpet(thing, found);
+        } else if !UNDER.contains(&thing.role) {
+            let covers = |other: &Thing<'_>| {
+                other.is_furniture() && other.top() >= thing.top() && other.bottom() <= thing.bottom() + ON_FLOOR
+            };
+            let over = |other: &Thing<'_>| covers(other) && other.is_around(&thing.obb.center, 1.0);
+            found.extend(self.others(thing.id).filter(over).map(|other| Flaw::Beneath(thing.id, other.id)));
+        }
+    }
+
+    fn carpet(&self, carpet: &Thing<'_>, found: &mut Vec<Flaw>) {
+        let on = |other: &Thing<'_>| {
+            let higher = other.bottom() - carpet.bottom() < ON_FLOOR && other.top() > carpet.top();
+            other.role == "table" && higher && carpet.is_around(&other.obb.center, 1.0 + MIDDLE)
+        };
+        let mut tables = self.others(carpet.id).filter(on).peekable();
+        if tables.peek().is_some() && !tables.any(|table| carpet.is_around(&table.obb.center, MIDDLE)) {
+            found.push(Flaw::OffCentre(carpet.id));
         }
     }
 
@@ -214,7 +255,7 @@ impl<'a> Sense<'a> {
         let [right, front] = [0, 2].map(|i| thing.axis(i));
         let beyond = |way: Vec3, half: f64, by: f64| wall(center + way * (half + by)) <= 0.0;
         let (stands, aside) = (thing.bottom() - room.floor < ON_FLOOR, thing.stands_aside());
-        let fronted = matches!(thing.role, "seat" | "storage" | "appliance" | "desk") && !aside;
+        let fronted = matches!(thing.role, "seat" | "storage" | "appliance" | "desk") && !aside && !thing.is_stool();
         if fronted && stands && beyond(front, half.z, 0.4) {
             found.push(Flaw::FacesWall(thing.id));
         }
@@ -334,6 +375,8 @@ mod tests {
             Flaw::Alone(_) => "alone".to_owned(),
             Flaw::Stray(_) => "stray".to_owned(),
             Flaw::Askew(_) => "askew".to_owned(),
+            Flaw::Beneath(a, b) => format!("{} under {}", name(a), name(b)),
+            Flaw::OffCentre(_) => "off the middle".to_owned(),
         };
         Sense::new(&program, &world).flaws(&[ObjectId(0)]).iter().map(said).collect()
     }
@@ -357,6 +400,10 @@ mod tests {
             (&["table coffee-table 0 -1.6 0 1 0.42 0.6", SOFA], &[]),
             (&["rug rug 0 -1.6 0 2 0.02 1.4", SOFA], &[]),
             (&["pouf pouf 0 -1.7 0 0.5 0.4 0.5", SOFA], &[]),
+            (&["pouf pouf 0 0.1 0 0.5 0.4 0.5", TABLE], &["pouf under table"]),
+            (&["bag bag 0 0.1 0 0.5 0.4 0.3", TABLE], &[]),
+            (&["rug rug 0 0.2 0 2 0.02 1.4", TABLE], &[]),
+            (&["rug rug 0.9 0.4 0 2 0.02 1.4", TABLE], &["off the middle"]),
             (&["sofa sofa 0 -1 0 1.9 0.8 0.9"], &["off its wall"]),
             (&["sofa sofa 0 -2.5 20 1.9 0.8 0.9"], &["askew"]),
             (&["sofa sofa 0 2.3 0 1.9 0.8 0.9"], &["faces a wall", "off its wall"]),

@@ -7,7 +7,9 @@ mod finder;
 mod flaws;
 mod proper;
 mod search;
+mod settle;
 mod stage;
+mod stands;
 mod ways;
 
 pub(crate) use finder::MoveFinder;

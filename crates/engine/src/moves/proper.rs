@@ -1,8 +1,9 @@
 //! Places where people put such a thing: before the middle of a desk, at the sides of a table, next to the end of a sofa with
-//! the backs in line, a plant at a wall.
+//! the backs in line, a plant at a wall, a rug with the table on its middle.
 
 use super::flaws::{CHAIR, stands_aside};
 use super::search::{Move, MoveSearch};
+use super::stands::LOW;
 use crate::Pose;
 use crate::pose::{half_turn, yaw_towards};
 use scenelang_lang::program::ObjectId;
@@ -36,13 +37,17 @@ const SAME_FLOOR: f64 = 0.3;
 impl MoveSearch<'_, '_> {
     /// What was found in places where such things stand, the smallest move first.
     pub fn proper(mut self) -> Vec<(f64, ObjectMove)> {
-        let Some(home) = self.stage.home(self.from.object).filter(|_| self.freedom.pos) else { return Vec::new() };
+        let Some(mut home) = self.stage.home(self.from.object).filter(|_| self.freedom.pos) else { return Vec::new() };
+        // On the floor that it is to stand on.
+        home.pos.y += self.from.by[1];
         let mut out: Vec<(f64, ObjectMove)> = Vec::new();
         for other in self.companions() {
             let Some(anchor) = self.stage.pose(other).filter(|a| (a.pos.y - home.pos.y).abs() < SAME_FLOOR) else {
                 continue;
             };
-            let spots = if self.sits_at(other) {
+            let spots = if self.stage.role(self.from.object) == "carpet" {
+                vec![(0.0, vec![Pose { pos: level(anchor.pos, &home), ..home }])]
+            } else if self.sits_at(other) {
                 before(&home, &anchor, self.stage.role(other) == "desk")
             } else {
                 beside(&home, &anchor)
@@ -52,6 +57,12 @@ impl MoveSearch<'_, '_> {
                 // Of places that differ in their space only the first is enough.
                 let found = spots.iter().find_map(|spot| self.reached(&home, spot));
                 out.extend(found.map(|step| (self.cost(&step) + more + aside, step)));
+            }
+        }
+        if self.from.by[1] < 0.0 {
+            for spot in self.off_what_is_below(&home) {
+                let found = self.reached(&home, &spot);
+                out.extend(found.map(|step| (self.cost(&step), step)));
             }
         }
         let role = self.stage.role(self.from.object);
@@ -86,6 +97,29 @@ impl MoveSearch<'_, '_> {
             found.extend(tables);
         }
         found
+    }
+
+    /// Places on the floor at the sides of what it stood on or was above.
+    fn off_what_is_below(&self, home: &Pose) -> Vec<Pose> {
+        let below = |id: &ObjectId| {
+            let Some(pose) = self.stage.pose(*id).filter(|_| *id != self.from.object) else { return false };
+            let by = home.pos - pose.pos;
+            let meets = |way: Vec3, half: f64| by.dot(&way).abs() < half + home.reach(&way);
+            let high = pose.scale.y > LOW && pose.pos.y < home.pos.y + LOW;
+            high && meets(pose.front(), pose.scale.z / 2.0) && meets(pose.right(), pose.scale.x / 2.0)
+        };
+        let bodies = self.stage.world().bodies().map(|(id, _)| id);
+        let mut out = Vec::new();
+        for pose in bodies.filter(below).filter_map(|id| self.stage.pose(id)).take(RELATED) {
+            let by = home.pos - pose.pos;
+            for (way, half) in [(pose.front(), pose.scale.z / 2.0), (pose.right(), pose.scale.x / 2.0)] {
+                for side in [way, -way] {
+                    let out_by = half + home.reach(&side) + BESIDE[0] - by.dot(&side);
+                    out.push(Pose { pos: level(home.pos + side * out_by, home), ..*home });
+                }
+            }
+        }
+        out
     }
 
     /// Whether it is a seat, and another object is what one sits at.

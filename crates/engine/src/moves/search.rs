@@ -26,6 +26,8 @@ const RINGS: [f64; 6] = [0.15, 0.4, 0.8, 1.2, 1.6, 2.2];
 /// What a metre counts beside what is missing.
 const PULL: f64 = 0.05;
 
+/// So much less does a move count that ends better (metres).
+const SETTLED: f64 = 1e-6;
 /// What is turned by less than this from an axis is square to it (degrees).
 const ASKEW: f64 = 0.1;
 
@@ -63,7 +65,7 @@ pub(super) struct MoveSearch<'s, 'a> {
     /// What must not be exceeded, in [`Stage::work`].
     limit: usize,
     /// Whether asking whether the goals hold is dear.
-    dear: bool,
+    pub(super) dear: bool,
     /// Whether what is asked for is about where the object looks: then turns go to the middle of what holds.
     directed: bool,
 }
@@ -97,6 +99,9 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
     /// What was found from where the object is, rounded to what can be said; the smallest first.
     pub fn near(mut self) -> Vec<(f64, ObjectMove)> {
         let mut found: Vec<Move> = Vec::new();
+        if self.from.by != [0.0; 3] && self.holds(&[0.0; 4]) {
+            found.push([0.0; 4]);
+        }
         for mask in self.masks() {
             found.extend(self.descend([0.0; 4], *mask));
         }
@@ -193,11 +198,18 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         if self.dear {
             self.limit += 24 * self.goals.iter().map(|goal| self.stage.cost(*goal)).sum::<usize>();
         }
-        let tidy: Vec<Move> = found.into_iter().map(|m| self.tidied(m)).collect();
         let mut out: Vec<(f64, ObjectMove)> = Vec::new();
-        for step in tidy.iter().map(|m| self.step(m)) {
-            if !out.iter().any(|(_, other)| *other == step) {
-                out.push((self.cost(&step), step));
+        for m in found {
+            let tidy = self.tidied(m);
+            let tidy = self.put_down(tidy);
+            let plain = self.step(&tidy);
+            let cost = self.cost(&plain);
+            // Whoever goes so far goes the last centimetres for nothing.
+            let settled = self.settled(tidy).map(|m| (cost - SETTLED, self.step(&m)));
+            for (cost, step) in settled.into_iter().chain([(cost, plain)]) {
+                if !out.iter().any(|(_, other)| *other == step) {
+                    out.push((cost, step));
+                }
             }
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -226,10 +238,13 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
                 }
             }
             let reach = own.x.min(own.z);
+            let grounded = self.stage.belongs_on_floor(self.from.object);
             for other in self.stage.spoken_of(&self.goals, self.from.object).into_iter().take(RELATED) {
                 let Ok(thing) = self.stage.world().object(other) else { continue };
                 let (at, sides, half) = (thing.pos.0, [0, 2].map(|i| thing.axes.0[i].0), thing.body.obb.half);
-                places.push([at[0] - here[0], at[1] + 2.0 * half.y - here[1], at[2] - here[2]]);
+                if !grounded {
+                    places.push([at[0] - here[0], at[1] + 2.0 * half.y - here[1], at[2] - here[2]]);
+                }
                 for (side, half) in sides.into_iter().zip([half.x, half.z]) {
                     for far in [0.02, 0.5].into_iter().flat_map(|gap| [half + reach + gap, -half - reach - gap]) {
                         places.push([at[0] + far * side[0] - here[0], 0.0, at[2] + far * side[2] - here[2]]);
@@ -285,7 +300,7 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         self.stage.has_spent(self.limit)
     }
 
-    fn put(&mut self, m: &Move) {
+    pub(super) fn put(&mut self, m: &Move) {
         let step = self.step(m);
         self.stage.put_with(&step, self.riders);
     }

@@ -62,6 +62,8 @@ pub(super) struct Stage<'a> {
     carriers: FxHashMap<ObjectId, Option<Option<ObjectId>>>,
     /// By object: what is awkward about where the layout has it, as far as somebody has asked.
     flaws: FxHashMap<ObjectId, Vec<Flaw>>,
+    /// By object: whether it belongs on the floor, as far as somebody has asked.
+    pub(super) grounded: FxHashMap<ObjectId, bool>,
     cones: FxHashMap<(usize, NodeId), Rc<[NodeId]>>,
     /// Work done, in small comparisons.
     pub work: usize,
@@ -85,6 +87,7 @@ impl<'a> Stage<'a> {
             before: FxHashMap::default(),
             carriers: FxHashMap::default(),
             flaws: FxHashMap::default(),
+            grounded: FxHashMap::default(),
             cones: FxHashMap::default(),
             work: 0,
             purse,
@@ -234,15 +237,21 @@ impl<'a> Stage<'a> {
     }
 
     /// What of the objects that were moved has come to rest on something that it did not rest on, though no goal asks for
-    /// that: a chair on its desk.
-    pub fn lands(&mut self, moved: &[ObjectId], goals: &[Goal]) -> Vec<ObjectId> {
-        let rests = |id: &&ObjectId| self.scope.support(**id) == Support::Rests;
-        let resting: Vec<ObjectId> = moved.iter().filter(rests).copied().collect();
+    /// that. What belongs on the floor must be there, wherever it was, unless it only goes along: a chair on its desk.
+    pub fn lands(&mut self, steps: &[ObjectMove], goals: &[Goal]) -> Vec<ObjectId> {
+        let rests = |step: &&ObjectMove| self.scope.support(step.object) == Support::Rests;
+        let resting: Vec<ObjectMove> = steps.iter().filter(rests).copied().collect();
         let mut found = Vec::new();
-        for id in resting {
+        for step in resting {
+            let id = step.object;
             let Some(Some(carrier)) = self.carrier(id) else { continue };
-            let asked = goals.iter().any(|goal| self.is_about_height(*goal, id));
-            if !asked && self.carrier_before(id).is_some_and(|before| before != Some(carrier)) {
+            let wrong = if step.with.is_none() && !self.is_like_floor(carrier) && self.belongs_on_floor(id) {
+                true
+            } else {
+                let asked = goals.iter().any(|goal| self.is_about_height(*goal, id));
+                !asked && self.carrier_before(id).is_some_and(|before| before != Some(carrier))
+            };
+            if wrong {
                 found.push(id);
             }
         }
@@ -250,7 +259,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Whether a goal is about the height of what is under an object: that it is supported, or stands on something.
-    fn is_about_height(&self, goal: Goal, object: ObjectId) -> bool {
+    pub(super) fn is_about_height(&self, goal: Goal, object: ObjectId) -> bool {
         use ObjectProperty::{Bottom, Surface, Top};
         match (goal, self.formula(goal)) {
             (Goal::Row(RowRef { kind: RowKind::Support, subject }), _) => subject == Subject::Object(object),
@@ -266,7 +275,7 @@ impl<'a> Stage<'a> {
     }
 
     /// What an object rests on as things are on the stage: nothing, a floor (`Some(None)`) or another object.
-    fn carrier(&self, id: ObjectId) -> Option<Option<ObjectId>> {
+    pub(super) fn carrier(&self, id: ObjectId) -> Option<Option<ObjectId>> {
         let tolerances = &self.world().options.tolerances;
         let others: Vec<ObjectId> = self.around(id);
         let rest = support::rest(self.world(), id, &others).ok()?;
@@ -274,7 +283,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The same in the layout.
-    fn carrier_before(&mut self, id: ObjectId) -> Option<Option<ObjectId>> {
+    pub(super) fn carrier_before(&mut self, id: ObjectId) -> Option<Option<ObjectId>> {
         if let Some(known) = self.carriers.get(&id) {
             return *known;
         }
@@ -539,7 +548,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Objects next to the old or the new place of one.
-    fn around(&self, id: ObjectId) -> Vec<ObjectId> {
+    pub(super) fn around(&self, id: ObjectId) -> Vec<ObjectId> {
         let tolerances = &self.world().options.tolerances;
         let boxes: Vec<Aabb> = self.boxes[id.0 as usize].into_iter().chain(self.state.bounds(id)).collect();
         self.state.near(id, &boxes, tolerances.support + tolerances.order)
