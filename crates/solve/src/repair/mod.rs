@@ -36,7 +36,7 @@ use scenelang_engine::{Reads, row_of};
 use scenelang_lang::Program;
 use scenelang_lang::program::{ObjectId, Owner, Pinned};
 use scenelang_lang::sources::Loader;
-use scenelang_layout::Layout;
+use scenelang_layout::{Layout, Vec3};
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::{ObjectMove, RowRef};
 use scenelang_verify::prove::{Contradiction, ProveOptions, prove};
@@ -258,9 +258,21 @@ fn contradiction(judge: &Judge<'_>, options: &RepairOptions) -> Option<Contradic
     let proving = ProveOptions {
         judging: options.judge,
         redundant: false,
+        // The same findings as `check`, and the search takes the same for granted.
+        usual: true,
         cancel: Some(options.stop.flag()),
         ..ProveOptions::default()
     };
     let found = prove(judge.program, &proving).contradictions.into_iter();
-    found.filter(|c| !c.as_usual).find(|c| c.statements.iter().any(|s| stated.contains(s)))
+    let usual = is_usual(judge.layout);
+    let applies = |c: &Contradiction| !c.as_usual || usual && c.sizes.is_empty();
+    found.filter(applies).find(|c| c.statements.iter().any(|s| stated.contains(s)))
+}
+
+/// Whether things stand upright in a layout and rooms are not turned, as proofs may take for granted.
+fn is_usual(layout: &Layout) -> bool {
+    const UPRIGHT: f64 = 0.01;
+    let upright = |rot: &Vec3| [rot.x, rot.z].iter().all(|angle| half_turn(*angle).abs() < UPRIGHT);
+    let level = |rot: &Vec3| rot.iter().all(|angle| half_turn(*angle).abs() < UPRIGHT);
+    layout.objects.iter().all(|(_, p)| upright(&p.rot)) && layout.regions.iter().all(|(_, p)| level(&p.rot))
 }

@@ -47,6 +47,13 @@ struct Core {
     proof: Option<Proof>,
 }
 
+/// What statements may be about that has nothing to do with why they contradict each other.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Stranger {
+    Object(ObjectId),
+    Region(RegionId),
+}
+
 /// The answers to one program's questions.
 pub(super) struct Prover<'a> {
     program: &'a Program,
@@ -291,14 +298,15 @@ impl<'a> Prover<'a> {
         Some(core)
     }
 
-    /// A minimal set among these that cannot hold together, if one is found: one that rests on what is usual only where there is
-    /// no other.
+    /// A minimal set among these that cannot hold together, if one is found: one that rests on usual sizes or shapes only where
+    /// there is no other, and one that rests on things being upright where it is smaller than any other.
     fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
         let found = self.minimal(among, part)?;
         let Some(usual) = self.usual.take() else { return Some(found) };
         let strictly = self.minimal(if found.as_usual { among } else { &found.statements }, part);
         self.usual = Some(usual);
-        let is_better = |other: &Contradiction| found.as_usual || other.statements.len() <= found.statements.len();
+        let assumes = !found.sizes.is_empty() || found.shapes;
+        let is_better = |other: &Contradiction| assumes || other.statements.len() <= found.statements.len();
         Some(strictly.filter(is_better).unwrap_or(found))
     }
 
@@ -312,6 +320,7 @@ impl<'a> Prover<'a> {
                 break;
             }
         }
+        core = self.without_strangers(core);
         // Without any one of them there is no refutation: the last first, so that what was said first is kept.
         let mut tried: FxHashSet<usize> = FxHashSet::default();
         while let Some(&statement) = core.statements.iter().rev().find(|s| !tried.contains(*s)) {
@@ -348,6 +357,36 @@ impl<'a> Prover<'a> {
         let sizes = if as_usual { self.sizes(&statements) } else { Vec::new() };
         let shapes = as_usual && self.rests_on_shapes(&statements);
         Some(Contradiction { statements, definitions, rules, reason, as_usual, sizes, shapes, proof })
+    }
+
+    /// A core without all that is said of some objects and regions. One statement after the other, that may not come off:
+    /// what is left of what is said of a door may only make the search longer.
+    fn without_strangers(&mut self, mut core: Core) -> Core {
+        let speaks = |program: &Program, s: usize, owner: Stranger| {
+            let formula = &program.constraints[s].formula;
+            match owner {
+                Stranger::Object(id) => formula.objects().contains(&id),
+                Stranger::Region(id) => regions_of(formula).contains(&id),
+            }
+        };
+        let mut owners: BTreeSet<Stranger> = BTreeSet::new();
+        for &s in &core.statements {
+            let formula = &self.program.constraints[s].formula;
+            owners.extend(formula.objects().into_iter().map(Stranger::Object));
+            owners.extend(regions_of(formula).into_iter().map(Stranger::Region));
+        }
+        for owner in owners {
+            let rest: Vec<usize> =
+                core.statements.iter().copied().filter(|s| !speaks(self.program, *s, owner)).collect();
+            // A single statement comes off below.
+            if rest.is_empty() || rest.len() + 1 >= core.statements.len() {
+                continue;
+            }
+            if let Some(smaller) = self.refute(self.whole(&rest), SMALLER, false) {
+                core = smaller;
+            }
+        }
+        core
     }
 
     /// Whether a set of statements is refuted only by what of furniture is solid, or by where its surface is.
