@@ -130,8 +130,7 @@ fn for_people(
     let mut out = String::new();
     for (id, _, text) in told.failing(failing) {
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        // "fails: they do not collide" would have to be read twice.
-        let text = text.replace(" do not collide", " collide");
+        let text = what_fails(&id, text);
         out += &format!("fails: {id}: {text}\n");
     }
     if let Some(found) = contradiction {
@@ -150,6 +149,20 @@ fn for_people(
         (Some(i), _) if args.dry_run => format!("repair {} would be applied; nothing was written\n", i + 1),
         (Some(i), _) => format!("repair {} applied; {} written\n", i + 1, written.join(", ")),
     } + &with
+}
+
+/// What a physical rule says, as it fails: "fails: they do not collide" would have to be read twice.
+fn what_fails(id: &str, text: String) -> String {
+    let reversed = [
+        ("P-COLLIDE:", " do not collide", " collide"),
+        ("P-SUPPORT:", " is supported", " is not supported"),
+        ("P-BOUNDS:", " is inside a region", " is not inside a region"),
+        ("P-OPEN:", " opens ", " does not open "),
+    ];
+    match reversed.into_iter().find(|(rule, ..)| id.starts_with(rule)) {
+        Some((_, says, fails)) => text.replacen(says, fails, 1),
+        None => text,
+    }
 }
 
 /// The alternative to be made: what was asked for, else the first, if it moves things and no more.

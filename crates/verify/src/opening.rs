@@ -131,6 +131,19 @@ pub fn amount(amount: f64, motion: Motion) -> String {
     }
 }
 
+/// How far something opens and how far it should, in as many digits as tell the two apart.
+pub fn amounts(free: f64, wanted: f64, motion: Motion) -> [String; 2] {
+    let both = [free, wanted].map(|x| amount(x, motion));
+    if both[0] != both[1] || (free - wanted).abs() < 1e-9 {
+        return both;
+    }
+    let finer = |x: f64| match motion {
+        Motion::Hinge => format!("{:.1}°", (x * 10.0).floor() / 10.0 + 0.0),
+        Motion::Slide => format!("{:.3} m", (x * 1000.0).floor() / 1000.0 + 0.0),
+    };
+    [free, wanted].map(finer)
+}
+
 /// What is in the way, in words.
 pub fn met_in_words(program: &Program, met: Met) -> String {
     match met {

@@ -281,8 +281,19 @@ pub struct Solve {
     pub judging: Judging,
 }
 
+/// The name of an object. After an option that takes several names a file would be one of them.
+fn no_file(text: &str) -> Result<String, String> {
+    if text.to_lowercase().ends_with(".json") {
+        return Err(
+            "this is a file; write it before the option, as in `scenelang repair FILE.layout.json --lock NAME`".into(),
+        );
+    }
+    Ok(text.to_owned())
+}
+
 /// `scenelang repair`
 #[derive(ClapArgs, Debug)]
+#[command(override_usage = "scenelang repair <FILE.layout.json> [OPTIONS]")]
 pub struct Repair {
     /// The layout
     #[arg(value_name = "FILE.layout.json")]
@@ -291,7 +302,7 @@ pub struct Repair {
     #[arg(long, value_name = "LINE | ID")]
     pub constraint: Option<String>,
     /// Objects or whole arrays that must stay exactly where they are
-    #[arg(long, value_name = "NAME", num_args = 1..)]
+    #[arg(long, value_name = "NAME", num_args = 1.., value_parser = no_file)]
     pub lock: Vec<String>,
     /// List the possible repairs without writing anything
     #[arg(long)]

@@ -155,9 +155,7 @@ impl Thing<'_> {
         match (owner.role, self.role) {
             (_, "carpet" | "door" | "window" | "curtain") => false,
             ("window", role) => self.top() - owner.bottom() > 0.1 && self.bottom() < owner.top() && role != "light",
-            ("seat", _) => {
-                stands && !(low || self.is_stool() || self.is_table())
-            }
+            ("seat", _) => stands && !(low || self.is_stool() || self.is_table()),
             ("desk" | "bed" | "storage", "seat") => false,
             _ => stands && !low,
         }

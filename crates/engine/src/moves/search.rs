@@ -453,9 +453,20 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
                 let scaled = m[i].abs() * grid[i];
                 (scaled - 1e-6).ceil().copysign(m[i]) / grid[i]
             });
-            for round in [nearest, farther] {
+            // All to the nearest, all farther, then some of each: the fewer digits, the better it can be said and done.
+            let apart: Vec<usize> = (0..4).filter(|&i| (nearest[i] - farther[i]).abs() > 1e-9).collect();
+            let every = (1_usize << apart.len()) - 1;
+            let some = if self.dear { 0 } else { every.saturating_sub(1) };
+            for which in [0, every].into_iter().chain(1..=some) {
+                let mut round = nearest;
+                for (_, &i) in apart.iter().enumerate().filter(|(bit, _)| which >> bit & 1 == 1) {
+                    round[i] = farther[i];
+                }
                 if round.iter().any(|c| *c != 0.0) && self.holds(&round) {
                     return round.map(|c| c + 0.0);
+                }
+                if every == 0 {
+                    break;
                 }
             }
         }

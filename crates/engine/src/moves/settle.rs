@@ -78,7 +78,8 @@ impl MoveSearch<'_, '_> {
             let inward = Vec3::new(clearance.inward.x, 0.0, clearance.inward.y);
             let faces = inward.dot(&side) < -0.999 * inward.norm();
             let left = ((clearance.value * 1e4 + 1e-6).floor() / 1e4).max(0.0);
-            (faces && left > TOUCHES && left <= FLUSH).then(|| side.map(|c| if c.abs() < 1e-9 { 0.0 } else { c }) * left)
+            (faces && left > TOUCHES && left <= FLUSH)
+                .then(|| side.map(|c| if c.abs() < 1e-9 { 0.0 } else { c }) * left)
         })
     }
 }

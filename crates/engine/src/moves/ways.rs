@@ -96,7 +96,8 @@ impl Stage<'_> {
         loop {
             match formula.node(at) {
                 Node::AtLeast(_, parts) | Node::Or(parts) => {
-                    let failing = parts.iter().copied().filter(|part| self.part(*part).is_some_and(|(holds, _)| !holds));
+                    let failing =
+                        parts.iter().copied().filter(|part| self.part(*part).is_some_and(|(holds, _)| !holds));
                     let parts = self.by_margin(&failing.collect::<Vec<_>>());
                     let mut found: Vec<(usize, Vec<ObjectId>)> = Vec::new();
                     for part in parts {
@@ -108,7 +109,8 @@ impl Stage<'_> {
                     return found.into_iter().flat_map(|(_, objects)| objects).collect();
                 }
                 Node::And(parts) => {
-                    let failing = parts.iter().copied().filter(|part| self.part(*part).is_some_and(|(holds, _)| !holds));
+                    let failing =
+                        parts.iter().copied().filter(|part| self.part(*part).is_some_and(|(holds, _)| !holds));
                     match self.by_margin(&failing.collect::<Vec<_>>()).pop() {
                         Some(worst) => at = worst,
                         None => return Vec::new(),

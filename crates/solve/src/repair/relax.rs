@@ -22,8 +22,10 @@ const MOST: f64 = 1e4;
 const HALVINGS: usize = 40;
 /// The same where each look is dear: ways over the floor are looked for.
 const DEAR: (f64, usize) = (3.0, 8);
-/// A number that is rounder may be so much further off than it must.
+/// A number that is rounder may be so much further off than it must; of what is asked for, that may take no more than so
+/// many metres, or so much of it.
 const ROUND: f64 = 0.1;
+const LOST: (f64, f64) = (0.01, 0.05);
 
 /// A number in a text.
 struct Literal {
@@ -221,7 +223,8 @@ fn relaxed(formula: &Formula, world: &World<f64>, literal: &Literal) -> Option<R
         let out = if high > 0.0 { (scaled - 1e-9).ceil() } else { (scaled + 1e-9).floor() };
         out / grid
     };
-    let fits = |x: &f64| (x - value).abs() <= ROUND * least.abs();
+    let lost = (LOST.0 / literal.per).max(LOST.1 * value.abs());
+    let fits = |x: &f64| (x - value).abs() <= lost.min(ROUND * least.abs());
     let best = (0..=9).map(round).filter(fits).find(|x| holds(x * literal.per))?;
     let edit = Edit { place: literal.place, text: format!("{}{}", best + 0.0, literal.unit) };
     let margin = evaluate(formula, world).map_or(Unit::Metre, |truth| truth.unit);

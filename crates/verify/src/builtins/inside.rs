@@ -10,11 +10,14 @@ use crate::prove::tape::{Claim, Term, all};
 use crate::prove::unknowns::{Unknowns, claimed};
 use crate::tolerances::Tolerances;
 use crate::vector::V3;
-use crate::world::{ObjectInstance, RegionInstance};
+use crate::world::{ObjectInstance, RegionInstance, World};
 use scenelang_lang::program::{Arg, ObjectId, Program, RegionId, Unit};
 use scenelang_layout::planar::nearest_on_segment;
 use scenelang_layout::polygon::Clearance;
-use scenelang_layout::{Obb, Vec2, Vec3, inside_clearance};
+use scenelang_layout::{Obb, Prism, Vec2, Vec3, inside_clearance};
+
+/// A zone may reach into the walls of its room by so much (metres).
+const ZONE: f64 = 0.05;
 
 pub(super) struct Inside;
 
@@ -79,7 +82,7 @@ impl Semantics for Inside {
         let inside = inside_clearance(&thing.body.obb, &room.prism);
         let least = inside.least();
         let place = if least == inside.horizontal.value {
-            "a wall"
+            edge_of(call.world, &room.prism)
         } else if least == inside.floor {
             "the floor"
         } else {
@@ -91,6 +94,15 @@ impl Semantics for Inside {
             format!("`{name}` is {} from {place} of `{region}`", metres(least))
         })
     }
+}
+
+/// What a region ends with at its sides: a zone of a room has no walls.
+fn edge_of(world: &World<f64>, region: &Prism) -> &'static str {
+    let around = |other: &Prism| {
+        other.polygon.area() > region.polygon.area()
+            && region.polygon.edges().all(|(corner, _)| other.polygon.clearance_of_point(corner).value >= -ZONE)
+    };
+    if world.prisms().any(|(_, other)| around(other)) { "the edge" } else { "a wall" }
 }
 
 /// Whether the box of an object is in a region.

@@ -92,7 +92,8 @@ fn in_words(call: &Call<'_, f64>, names: &Program, motion: Motion) -> Option<Str
             return Some(format!("`{part_name}` of `{name}` opens at most {most}, not {wanted}"));
         }
         if let Some((far, Some(met))) = free(part, amount) {
-            let (far, met) = (opening::amount(far, *motion), opening::met_in_words(names, met));
+            let [far, wanted] = opening::amounts(far, amount, *motion);
+            let met = opening::met_in_words(names, met);
             return Some(format!("`{part_name}` of `{name}` opens {far} of {wanted}, then hits {met}"));
         }
     }

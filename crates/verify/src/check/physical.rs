@@ -363,8 +363,9 @@ impl<'a> Rules<'a> {
                     let mut looks = before;
                     let free =
                         opening::free(world, id, usize::from(part), demand, &mut looks).map_or(0.0, |(free, _)| free);
-                    let free = joint.map_or(String::new(), |joint| opening::amount(free, joint.motion));
-                    format!("`{name}` opens {free} of {amount}, then hits {what}")
+                    let [free, amount] =
+                        joint.map_or_else(Default::default, |j| opening::amounts(free, demand, j.motion));
+                    format!("`{name}` of `{}` opens {free} of {amount}, then hits {what}", self.name(id))
                 }
                 Some(truth) if truth.margin.is_finite() => {
                     let gap = truth.margin - world.options.tolerances.contact;

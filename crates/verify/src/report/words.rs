@@ -105,9 +105,17 @@ impl<'a> Words<'a> {
         let broken = repair.breaks.iter().filter(|other| other.kind == RowKind::Assert).count();
         let list = |rows: &[RowRef]| {
             const MOST: usize = 3;
-            let mut names: Vec<String> = rows.iter().take(MOST).map(name).collect();
-            if rows.len() > MOST {
-                names.push(format!("{} more", rows.len() - MOST));
+            // Several parts of one object have the same name here.
+            let mut names: Vec<String> = Vec::new();
+            for name in rows.iter().map(name) {
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+            if names.len() > MOST {
+                let more = names.len() - MOST;
+                names.truncate(MOST);
+                names.push(format!("{more} more"));
             }
             match names.split_last() {
                 Some((last, [])) => last.clone(),
