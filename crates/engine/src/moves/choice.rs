@@ -53,7 +53,7 @@ impl Judged {
             .steps
             .iter()
             .filter(pushed)
-            .map(|step| step.by.iter().filter(|by| **by != 0.0).count().saturating_sub(1));
+            .map(|step| [step.by[0], step.by[2]].iter().filter(|by| **by != 0.0).count().saturating_sub(1));
         self.cost + FLAW * self.flaws as f64 + DIRECTION * ways.sum::<usize>() as f64
     }
 

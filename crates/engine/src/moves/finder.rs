@@ -10,6 +10,7 @@
 //! What a move would break becomes a goal in its turn, and the search begins again. So what one object can repair without
 //! harm is found first; others are moved only where that is not enough.
 
+use super::DEAR;
 use super::choice::{self, Judged, keep};
 use super::search::{Freedom, MoveSearch};
 use super::stage::Stage;
@@ -300,6 +301,8 @@ impl<'a> MoveFinder<'a> {
             }
         }
         let half = attempt.limit.saturating_sub(self.stage.work) / 2;
+        // What is dear must leave something for other objects.
+        let dear = attempt.goals.iter().any(|goal| self.stage.cost(*goal) > DEAR);
         let more = |limit: usize, stage: &Stage<'_>| limit.max(stage.work + half);
         for from in [From::Here, From::Afar] {
             let far = from == From::Afar;
@@ -312,7 +315,9 @@ impl<'a> MoveFinder<'a> {
                     break;
                 }
                 if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) {
-                    attempt.limit = more(attempt.limit, &self.stage);
+                    if !dear {
+                        attempt.limit = more(attempt.limit, &self.stage);
+                    }
                     return self.properly(best, &attempt, &riders);
                 }
                 let found = self.judged(&attempt, &riders, from);
@@ -336,13 +341,16 @@ impl<'a> MoveFinder<'a> {
                 attempt.goals.extend(new);
             }
         }
-        attempt.limit = more(attempt.limit, &self.stage);
+        if !dear {
+            attempt.limit = more(attempt.limit, &self.stage);
+        }
         self.properly(best, &attempt, &riders)
     }
 
     /// The best move of an object; where the one that is known is awkward or goes far, it may go where such things stand.
     fn properly(&mut self, known: Option<Judged>, attempt: &Attempt<'_>, riders: &[ObjectId]) -> Option<Judged> {
-        let near = |known: &Judged| known.is_sound() && known.cost <= FAR;
+        let dear = attempt.goals.iter().any(|goal| self.stage.cost(*goal) > DEAR);
+        let near = |known: &Judged| known.is_sound() && (dear || known.cost <= FAR);
         if known.as_ref().is_some_and(near) || self.stage.has_spent(attempt.limit) {
             return known;
         }
@@ -377,7 +385,7 @@ impl<'a> MoveFinder<'a> {
             return sets;
         }
         for (i, &goal) in goals.iter().enumerate() {
-            if sets.len() > WAYS || self.stage.truth(goal).is_some_and(|t| t.holds) {
+            if sets.len() > WAYS || !self.stage.has_ways(goal) || self.stage.truth(goal).is_some_and(|t| t.holds) {
                 continue;
             }
             for way in self.stage.ways(goal, object) {
@@ -458,7 +466,7 @@ impl<'a> MoveFinder<'a> {
             }
             let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();
             let fitting = moved.iter().any(|id| self.stage.is_fitting(*id));
-            let flaws = self.stage.new_flaws(&moved);
+            let flaws = self.stage.new_flaws(&moved) + self.stage.misplaced(asked);
             let judged = Judged { cost, steps: all, does, open, flaws, fitting, directed: directed && turn };
             if judged.harm() == (0, 0) {
                 self.harmless.push(judged.clone());

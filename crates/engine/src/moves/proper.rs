@@ -21,8 +21,10 @@ const BEFORE: [f64; 4] = [0.05, 0.2, 0.3, 0.4];
 const KNEES: [f64; 4] = [0.3, 0.4, 0.2, 0.05];
 /// Spaces between what stands side by side (metres).
 const BESIDE: [f64; 2] = [0.05, 0.2];
-/// What it counts that the middles or the fronts are in line and not the backs, or that a seat stands beside something instead of before a table (metres).
+/// What it counts that the middles are in line and not the backs, or that a seat stands beside something instead of before a table (metres).
 const SECOND: f64 = 0.5;
+/// The same of fronts that are in line.
+const THIRD: f64 = 0.8;
 /// What a metre counts of a way to a wall: a plant is carried across a room before a bed is pushed aside.
 const LIGHT: f64 = 0.01;
 /// What it counts that a plant stands amid a wall and not in a corner (metres, of such a way).
@@ -50,7 +52,7 @@ impl MoveSearch<'_, '_> {
             } else if self.sits_at(other) {
                 before(&home, &anchor, self.stage.role(other) == "desk")
             } else {
-                beside(&home, &anchor)
+                beside(&home, &anchor, self.dear)
             };
             let aside = if !self.sits_at(other) && self.stage.role(self.from.object) == "seat" { SECOND } else { 0.0 };
             for (more, spots) in spots {
@@ -168,14 +170,16 @@ fn before(seat: &Pose, table: &Pose, desk: bool) -> Vec<(f64, Vec<Pose>)> {
     sides.into_iter().take(count).map(|side| (0.0, spaces.map(|space| spot(side, space)).into())).collect()
 }
 
-/// At either side of another object, the backs in line, the middles or the fronts; turned as it is, or as that is. With each, what it counts.
-fn beside(own: &Pose, other: &Pose) -> Vec<(f64, Vec<Pose>)> {
+/// At either side of another object, the backs in line, the middles or the fronts; turned as it is, or as that is; `few`: not the
+/// fronts. With each, what it counts.
+fn beside(own: &Pose, other: &Pose, few: bool) -> Vec<(f64, Vec<Pose>)> {
     let [front, right] = [other.front(), other.right()];
     let mut out = Vec::new();
     for turned in [*own, own.facing(other.rot.y)] {
         let [deep, wide] = [front, right].map(|way| turned.reach(&way));
         let back = deep - other.scale.z / 2.0;
-        for (along, more) in [(back, 0.0), (0.0, SECOND), (-back, SECOND)] {
+        let lines = [(back, 0.0), (0.0, SECOND), (-back, THIRD)];
+        for (along, more) in lines.into_iter().take(if few { 2 } else { 3 }) {
             for side in [right, -right] {
                 let spot = |space: f64| {
                     let pos = other.pos + side * (other.scale.x / 2.0 + wide + space) + front * along;

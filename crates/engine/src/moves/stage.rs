@@ -194,8 +194,14 @@ impl<'a> Stage<'a> {
 
     /// The objects that goals speak of, one apart.
     pub fn spoken_of(&self, goals: &[Goal], but: ObjectId) -> Vec<ObjectId> {
-        let mut all: Vec<ObjectId> = goals.iter().flat_map(|goal| self.objects_of(*goal)).collect();
+        let mut all = self.objects_of_all(goals);
         all.retain(|id| *id != but);
+        all
+    }
+
+    /// The objects that goals speak of.
+    pub fn objects_of_all(&self, goals: &[Goal]) -> Vec<ObjectId> {
+        let mut all: Vec<ObjectId> = goals.iter().flat_map(|goal| self.objects_of(*goal)).collect();
         let mut known = rustc_hash::FxHashSet::default();
         all.retain(|id| known.insert(*id));
         all

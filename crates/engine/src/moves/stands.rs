@@ -6,7 +6,7 @@
 use super::stage::Stage;
 use crate::rows::{Goal, row_of};
 use scenelang_lang::nouns::{self, Stands};
-use scenelang_lang::program::{Axis, Formula, Node, ObjectId, ObjectProperty, Program};
+use scenelang_lang::program::{Axis, Formula, Node, NodeId, ObjectId, ObjectProperty, Program};
 use scenelang_layout::Vec2;
 use scenelang_verify::World;
 use scenelang_verify::rules::{Support, support};
@@ -17,6 +17,8 @@ const ANYWHERE: [&str; 4] = ["item", "device", "decor", "screen"];
 const LIKE_FLOOR: [&str; 2] = ["carpet", "divider"];
 /// What is lower than this is like a floor, too: a pallet, a mat (metres).
 pub(super) const LOW: f64 = 0.25;
+/// So many objects of goals are asked whether they are where they belong.
+const SPOKEN_OF: usize = 6;
 /// What is lower than this part of what its kind usually measures need not stand where its kind does.
 const PART: f64 = 0.5;
 
@@ -74,6 +76,13 @@ impl Stage<'_> {
         (far > self.world().options.tolerances.support).then_some(far)
     }
 
+    /// How many of the objects that goals speak of belong on the floor and are not there.
+    pub fn misplaced(&mut self, goals: &[Goal]) -> usize {
+        let mut objects = self.objects_of_all(goals);
+        objects.truncate(SPOKEN_OF);
+        objects.into_iter().filter(|id| self.drop_to_floor(*id).is_some()).count()
+    }
+
     /// By how much an object is off what it rests on, within the tolerance: what makes it exact.
     pub fn off_rest(&self, id: ObjectId) -> Option<(f64, Option<ObjectId>)> {
         if self.scope.support(id) != Support::Rests {
@@ -84,13 +93,15 @@ impl Stage<'_> {
     }
 }
 
-/// Whether a statement compares the height of an object's place.
+/// Whether a statement compares the height of an object's place with something.
 fn gives_height(formula: &Formula, object: ObjectId) -> bool {
     use ObjectProperty::{Center, Pos};
+    let is_height = |node: &NodeId| match formula.node(*node) {
+        Node::Component(Axis::Y, of) => matches!(formula.node(*of), Node::Object(Pos | Center, id) if *id == object),
+        _ => false,
+    };
     formula.nodes.iter().any(|node| match node {
-        Node::Component(Axis::Y, of) => {
-            matches!(formula.node(*of), Node::Object(Pos | Center, id) if *id == object)
-        }
+        Node::Compare(_, _, a, b) => is_height(a) || is_height(b),
         _ => false,
     })
 }

@@ -2,6 +2,7 @@
 //! such a goal speaks for the part that is nearest to holding, whichever side or object that is; so the others are tried
 //! as goals of their own.
 
+use super::DEAR;
 use super::stage::Stage;
 use crate::rows::Goal;
 use scenelang_lang::program::{Formula, Node, NodeId, ObjectId};
@@ -13,13 +14,16 @@ const MOST: usize = 4;
 const PARTS: usize = 16;
 
 impl Stage<'_> {
+    /// Whether there may be several ways to satisfy a goal. What is dear is not tried more often than it must.
+    pub fn has_ways(&self, goal: Goal) -> bool {
+        let choice = |node: &Node| matches!(node, Node::Or(_) | Node::AtLeast(..));
+        self.cost(goal) <= DEAR && self.formula(goal).is_some_and(|(_, formula, _)| formula.nodes.iter().any(choice))
+    }
+
     /// Ways to satisfy a goal by moving an object, the nearest first, each as parts that are to hold together. None: there
     /// is nothing to choose.
     pub fn ways(&mut self, goal: Goal, object: ObjectId) -> Vec<Vec<Goal>> {
         let Some((index, formula, from)) = self.formula(goal) else { return Vec::new() };
-        if !formula.nodes.iter().any(|node| matches!(node, Node::Or(_) | Node::AtLeast(..))) {
-            return Vec::new();
-        }
         self.pay(self.costs[index]);
         if self.scratch.evaluate(formula, self.state.world()).is_err() {
             return Vec::new();

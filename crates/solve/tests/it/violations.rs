@@ -3,8 +3,9 @@
 
 use scenelang_base::{FileId, SourceFile, SourceMap};
 use scenelang_lang::compile_main;
+use scenelang_lang::program::ObjectId;
 use scenelang_lang::sources::Loader;
-use scenelang_layout::{Layout, Vec3, file};
+use scenelang_layout::{Layout, Placement, Vec3, file};
 use scenelang_solve::repair::told::title;
 use scenelang_solve::repair::{Alternative, Damaged, How, RepairOptions, Text, Which, repair};
 use scenelang_verify::rules::support;
@@ -42,6 +43,8 @@ struct Case {
     added: String,
     /// Where objects are put, and the yaw to which they are turned.
     moved: Vec<(String, Option<Vec3>, Option<f64>)>,
+    /// The sizes of objects that are added.
+    sizes: Vec<(String, Vec3)>,
     /// The choices, as an editor names them, and the members of a contradiction.
     offered: Vec<String>,
 }
@@ -62,8 +65,12 @@ fn cases(room: &Room) -> Vec<Case> {
             case.moved.push((name.to_owned(), None, Some(yaw.parse().expect("degrees"))));
         } else {
             let (name, place) = line.split_once(" at ").expect("NAME at X Y Z");
-            let numbers: Vec<f64> = place.split(' ').map(|n| n.parse().expect("metres")).collect();
-            case.moved.push((name.to_owned(), Some(Vec3::from_column_slice(&numbers)), None));
+            let (place, size) = place.split_once(" sized ").map_or((place, None), |(place, size)| (place, Some(size)));
+            let numbers = |text: &str| -> Vec3 {
+                Vec3::from_iterator(text.split(' ').map(|n| n.parse::<f64>().expect("metres")))
+            };
+            case.sizes.extend(size.map(|size| (name.to_owned(), numbers(size))));
+            case.moved.push((name.to_owned(), Some(numbers(place)), None));
         }
     }
     out
@@ -99,6 +106,11 @@ fn the_first_choice_is_what_a_person_would_do() {
         let compiled = compile_main(main, scenelang_lang::Options::default(), &text, sources);
         let program = compiled.program.unwrap_or_else(|| panic!("{name}: {:?}", compiled.diagnostics));
         let mut hurt = layout(room);
+        for (added, size) in &case.sizes {
+            let (_, like) = hurt.objects.iter().find(|(_, o)| o.rot.y == 0.0).expect("something is not turned");
+            let placed = Placement { scale: *size, parts: Vec::new(), ..like.clone() };
+            hurt.objects.push((added.as_str().into(), placed));
+        }
         for (moved, pos, yaw) in &case.moved {
             let (_, placed) = hurt.objects.iter_mut().find(|(n, _)| n == moved).unwrap_or_else(|| panic!("{moved}"));
             placed.pos = pos.unwrap_or(placed.pos);
@@ -139,8 +151,17 @@ fn the_first_choice_is_what_a_person_would_do() {
                     .collect::<Vec<_>>()
             };
             let (before, now) = (carriers(&hurt), carriers(&choice.layout));
-            let same = before.iter().zip(&now).all(|(before, now)| before.is_none() || before == now);
-            assert!(same, "{name}: {before:?} {now:?}");
+            // It stands on what it stood on, or on the floor, or on what it is to stand on.
+            let called = |id: ObjectId| program.objects[id.0 as usize].name.as_str();
+            let asked = |(own, on): (ObjectId, ObjectId)| text.0.contains(&format!("on({}, {})", called(own), called(on)));
+            for ((moved, before), now) in choice.moves.iter().zip(&before).zip(&now) {
+                let fits = match (before, now) {
+                    (None, _) | (Some(_), Some(None)) => true,
+                    (Some(_), Some(Some(on))) => before == now || asked((moved.object, *on)),
+                    (Some(_), None) => false,
+                };
+                assert!(fits, "{name}: {before:?} {now:?}");
+            }
         }
     }
     assert!(wrong.is_empty(), "these are offered:\n{}", wrong.join("\n\n"));
