@@ -55,7 +55,11 @@ fn a_wardrobe_before_a_door_is_a_violation_with_a_move() {
     // until it is a millimetre in.
     assert!((row.margin.unwrap() + 0.169).abs() < 1e-3, "{:?}", row.margin);
     let free = (0.591f64 / 0.76).asin().to_degrees().floor();
-    assert!(row.message.starts_with(&format!("`leaf` opens {free}° of 90°, then hits `wardrobe`")), "{}", row.message);
+    assert!(
+        row.message.starts_with(&format!("`leaf` of `door` opens {free}° of 90°, then hits `wardrobe`")),
+        "{}",
+        row.message
+    );
     let offered = row.explanation.as_ref().and_then(|e| e.repair.as_ref()).expect("a move is offered");
     assert!(offered.breaks.is_empty(), "{offered:?}");
     // The move does what is said of it.
@@ -126,7 +130,7 @@ fn walls_are_in_the_way_and_a_door_has_its_own_opening() {
     assert!(at(0.7).is_empty(), "0.55 m before a wall");
     let said = at(0.85);
     assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].starts_with("`door` opens 53° of 90°, then hits a wall of `hall`"), "{said:?}");
+    assert!(said[0].starts_with("`door` of `cabinet` opens 53° of 90°, then hits a wall of `hall`"), "{said:?}");
     assert_eq!(at(1.0).len(), 2, "0.25 m before a wall, the drawer does not come out either");
     // A cabinet whose side touches a wall opens all the same.
     let beside = report(scene, &[HALL, &cabinet("-1.75 0 0")], Opens::All);

@@ -153,7 +153,8 @@ fn the_first_choice_is_what_a_person_would_do() {
             let (before, now) = (carriers(&hurt), carriers(&choice.layout));
             // It stands on what it stood on, or on the floor, or on what it is to stand on.
             let called = |id: ObjectId| program.objects[id.0 as usize].name.as_str();
-            let asked = |(own, on): (ObjectId, ObjectId)| text.0.contains(&format!("on({}, {})", called(own), called(on)));
+            let asked =
+                |(own, on): (ObjectId, ObjectId)| text.0.contains(&format!("on({}, {})", called(own), called(on)));
             for ((moved, before), now) in choice.moves.iter().zip(&before).zip(&now) {
                 let fits = match (before, now) {
                     (None, _) | (Some(_), Some(None)) => true,
