@@ -134,7 +134,9 @@ fn for_people(
         out += &format!("fails: {id}: {text}\n");
     }
     if let Some(found) = contradiction {
-        out += "no layout satisfies all of these statements:\n";
+        // What is proved of usual layouts holds for those that a search would try.
+        let upright = if found.as_usual { " in which things stand upright" } else { "" };
+        out += &format!("no layout{upright} satisfies all of these statements:\n");
         for (id, text) in told.members(found) {
             out += &format!("     {id} `{text}`\n");
         }

@@ -211,8 +211,8 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
         }
     }
     if let Some(text) = &damaged.text {
-        alternatives.extend(relax::numbers(&judge, text, options));
-        alternatives.extend(preference::demand(&judge, text));
+        alternatives.extend(relax::numbers(&judge, text, options, contradiction.as_ref()));
+        alternatives.extend(preference::demand(&judge, text, contradiction.as_ref()));
     }
     // Moves are in the order in which a person would choose; where they come from a search, that is by what they cost.
     alternatives.sort_by(|a, b| {

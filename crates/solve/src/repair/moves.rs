@@ -9,8 +9,8 @@ use crate::search::Snapshot;
 use scenelang_engine::candidate::Change;
 use scenelang_engine::moves_for;
 use scenelang_lang::program::ObjectId;
-use scenelang_layout::Vec3;
-use scenelang_verify::explain::SmallestMove;
+use scenelang_layout::{Layout, Vec3};
+use scenelang_verify::explain::{RowRef, SmallestMove};
 
 /// What `check` offers for the same rows, as far as that repairs them all and breaks no demand.
 pub(super) fn offered(judge: &Judge<'_>) -> Vec<Alternative> {
@@ -18,8 +18,25 @@ pub(super) fn offered(judge: &Judge<'_>) -> Vec<Alternative> {
     moves.iter().filter_map(|repair| made(judge, repair)).collect()
 }
 
-/// The layout after a move.
+/// Layouts in which some rows hold after a move, whether or not the others do.
+pub(super) fn reachable(judge: &Judge<'_>, rows: &[RowRef]) -> Vec<Layout> {
+    let moves = moves_for(judge.program, judge.layout, &judge.options, &judge.verdict, rows, &judge.locked);
+    moves.iter().filter_map(|repair| moved(judge, repair)).collect()
+}
+
+/// What a move makes of the layout, if that repairs.
 fn made(judge: &Judge<'_>, repair: &SmallestMove) -> Option<Alternative> {
+    let layout = moved(judge, repair)?;
+    let broken = judge.judge(&layout)?;
+    let mut alternative = describe(judge, layout, &broken);
+    for moved in &mut alternative.moves {
+        moved.with = repair.steps.iter().find(|s| s.object == moved.object).and_then(|s| s.with);
+    }
+    Some(alternative)
+}
+
+/// The layout after a move.
+fn moved(judge: &Judge<'_>, repair: &SmallestMove) -> Option<Layout> {
     let mut layout = judge.layout.clone();
     for step in &repair.steps {
         let name = &judge.program.objects[step.object.0 as usize].name;
@@ -29,12 +46,7 @@ fn made(judge: &Judge<'_>, repair: &SmallestMove) -> Option<Alternative> {
             placement.rot.y = (placement.rot.y + step.turn).rem_euclid(360.0);
         }
     }
-    let broken = judge.judge(&layout)?;
-    let mut alternative = describe(judge, layout, &broken);
-    for moved in &mut alternative.moves {
-        moved.with = repair.steps.iter().find(|s| s.object == moved.object).and_then(|s| s.with);
-    }
-    Some(alternative)
+    Some(layout)
 }
 
 /// All that was found; the best first. With `careless`, preferences may break.

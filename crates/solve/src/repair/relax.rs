@@ -5,12 +5,15 @@
 
 use super::judge::Judge;
 use super::room::describe;
-use super::{Alternative, How, RepairOptions, Text, edit};
+use super::{Alternative, How, RepairOptions, Text, edit, preference};
 use scenelang_base::{Edit, SourceMap, Span, TextRange};
 use scenelang_lang::Program;
 use scenelang_lang::program::{Arg, Arith, Formula, Node, NodeId, Unit};
 use scenelang_lang::token::{self, Kind, UNITS};
+use scenelang_layout::Layout;
 use scenelang_verify::check::Subject;
+use scenelang_verify::explain::RowRef;
+use scenelang_verify::prove::Contradiction;
 use scenelang_verify::{World, cone, judge as evaluate, surroundings};
 
 /// The first change that is tried (metres or degrees), and how much larger each next one is.
@@ -66,10 +69,31 @@ pub fn in_statement(program: &Program, sources: &SourceMap, world: &World<f64>, 
 }
 
 /// Numbers to be changed so that all targets hold: of one statement each number that does it, of several one each.
-pub(super) fn numbers(judge: &Judge<'_>, text: &Text<'_>, options: &RepairOptions) -> Vec<Alternative> {
-    let world = World::<f64>::new(judge.program, judge.layout, &judge.options);
+pub(super) fn numbers(
+    judge: &Judge<'_>,
+    text: &Text<'_>,
+    options: &RepairOptions,
+    contradiction: Option<&Contradiction>,
+) -> Vec<Alternative> {
+    for (rows, layout) in preference::apart(judge, contradiction) {
+        let found = numbers_of(judge, text, options, (&rows, &layout));
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    numbers_of(judge, text, options, (&judge.targets, judge.layout))
+}
+
+/// Numbers to be changed so that some rows hold in a layout.
+fn numbers_of(
+    judge: &Judge<'_>,
+    text: &Text<'_>,
+    options: &RepairOptions,
+    (rows, layout): (&[RowRef], &Layout),
+) -> Vec<Alternative> {
+    let world = World::<f64>::new(judge.program, layout, &judge.options);
     let mut each: Vec<Vec<Relaxed>> = Vec::new();
-    for row in &judge.targets {
+    for row in rows {
         let Subject::Statement(index) = row.subject else { return Vec::new() };
         let mut found = statement((judge.program, text.sources), &world, index, true);
         if found.is_empty() {
@@ -82,25 +106,25 @@ pub(super) fn numbers(judge: &Judge<'_>, text: &Text<'_>, options: &RepairOption
         1 => each.remove(0).into_iter().map(|one| vec![one]).collect(),
         _ => vec![each.into_iter().filter_map(|found| found.into_iter().next()).collect()],
     };
-    let offered = sets.into_iter().filter_map(|set| offer(judge, text, set));
+    let offered = sets.into_iter().filter_map(|set| offer(judge, text, set, layout));
     offered.take(options.alternatives).collect()
 }
 
 /// Compiles and judges anew.
-fn offer(judge: &Judge<'_>, text: &Text<'_>, mut set: Vec<Relaxed>) -> Option<Alternative> {
+fn offer(judge: &Judge<'_>, text: &Text<'_>, mut set: Vec<Relaxed>, layout: &Layout) -> Option<Alternative> {
     // One number may be in the way of two statements, in a variable that both read: the larger change serves both.
     set.sort_by(|a, b| a.edit.place.cmp(&b.edit.place).then(b.cost.total_cmp(&a.cost)));
     set.dedup_by(|a, b| a.edit.place == b.edit.place);
     let edits: Vec<Edit> = set.iter().map(|r| r.edit.clone()).collect();
     let program = edit::compiled(text, &edits)?;
-    let broken = judge.judge_with(&program, judge.layout, Some)?;
+    let broken = judge.judge_with(&program, layout, Some)?;
     if !broken.is_empty() {
         return None;
     }
     let least = set.iter().map(|r| r.least).collect();
     let cost = set.iter().map(|r| r.cost).sum();
     let shown = set.into_iter().map(|r| r.shown).collect();
-    Some(Alternative { how: How::Numbers, edits, least, shown, cost, ..describe(judge, judge.layout.clone(), &[]) })
+    Some(Alternative { how: How::Numbers, edits, least, shown, cost, ..describe(judge, layout.clone(), &[]) })
 }
 
 /// The numbers of a statement that repair it by themselves; with `defined`, those of what it is made with, too.
