@@ -2,6 +2,7 @@
 //! it, and nothing is left at the very edge of what carries it. All of that only where the goals hold then.
 
 use super::search::{Move, MoveSearch};
+use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Prism, Vec2, Vec3};
 use scenelang_verify::World;
 
@@ -40,7 +41,7 @@ impl MoveSearch<'_, '_> {
         self.put(&m);
         let carrier = self.stage.off_rest(self.from.object).and_then(|(_, carrier)| carrier);
         if let Some(carrier) = carrier.filter(|id| !self.stage.is_like_floor(*id)) {
-            return self.from_the_edge(m, carrier);
+            return self.inside_the_edge(m, carrier);
         }
         let mut at = m;
         for _ in 0..2 {
@@ -55,7 +56,7 @@ impl MoveSearch<'_, '_> {
         (at != m).then_some(at)
     }
 
-    fn from_the_edge(&mut self, m: Move, carrier: scenelang_lang::program::ObjectId) -> Option<Move> {
+    fn inside_the_edge(&mut self, m: Move, carrier: ObjectId) -> Option<Move> {
         let on = self.stage.pose(carrier)?.pos - self.stage.pose(self.from.object)?.pos;
         INSIDE.into_iter().find_map(|inside| {
             // Only on in the direction it came in, and not beyond the middle.
