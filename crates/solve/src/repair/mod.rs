@@ -211,8 +211,9 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
         }
     }
     if let Some(text) = &damaged.text {
-        alternatives.extend(relax::numbers(&judge, text, options, contradiction.as_ref()));
-        alternatives.extend(preference::demand(&judge, text, contradiction.as_ref()));
+        let apart = preference::apart(&judge, contradiction.as_ref());
+        alternatives.extend(relax::numbers(&judge, text, options, &apart));
+        alternatives.extend(preference::demand(&judge, text, &apart));
     }
     // Moves are in the order in which a person would choose; where they come from a search, that is by what they cost.
     alternatives.sort_by(|a, b| {

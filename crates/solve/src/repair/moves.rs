@@ -18,10 +18,10 @@ pub(super) fn offered(judge: &Judge<'_>) -> Vec<Alternative> {
     moves.iter().filter_map(|repair| made(judge, repair)).collect()
 }
 
-/// Layouts in which some rows hold after a move, whether or not the others do.
+/// Layouts in which some rows hold after a move that breaks nothing, whether or not the others do.
 pub(super) fn reachable(judge: &Judge<'_>, rows: &[RowRef]) -> Vec<Layout> {
     let moves = moves_for(judge.program, judge.layout, &judge.options, &judge.verdict, rows, &judge.locked);
-    moves.iter().filter_map(|repair| moved(judge, repair)).collect()
+    moves.iter().filter(|repair| repair.breaks.is_empty()).filter_map(|repair| moved(judge, repair)).collect()
 }
 
 /// What a move makes of the layout, if that repairs.

@@ -24,9 +24,8 @@ pub(super) fn drops(judge: &Judge<'_>, options: &RepairOptions) -> Vec<Alternati
 
 /// Demands as preferences: an edit of the text. Of those that fail all or, where some cannot hold with others, only these,
 /// if the rest can be repaired by moves. `None`: something else fails, too.
-pub(super) fn demand(judge: &Judge<'_>, text: &Text<'_>, contradiction: Option<&Contradiction>) -> Option<Alternative> {
-    let parted = apart(judge, contradiction).into_iter();
-    let found = parted.filter_map(|(rows, layout)| demoted(judge, text, &rows, &layout)).next();
+pub(super) fn demand(judge: &Judge<'_>, text: &Text<'_>, apart: &[(Vec<RowRef>, Layout)]) -> Option<Alternative> {
+    let found = apart.iter().find_map(|(rows, layout)| demoted(judge, text, rows, layout));
     if found.is_some() {
         return found;
     }

@@ -5,7 +5,7 @@
 
 use super::judge::Judge;
 use super::room::describe;
-use super::{Alternative, How, RepairOptions, Text, edit, preference};
+use super::{Alternative, How, RepairOptions, Text, edit};
 use scenelang_base::{Edit, SourceMap, Span, TextRange};
 use scenelang_lang::Program;
 use scenelang_lang::program::{Arg, Arith, Formula, Node, NodeId, Unit};
@@ -13,7 +13,6 @@ use scenelang_lang::token::{self, Kind, UNITS};
 use scenelang_layout::Layout;
 use scenelang_verify::check::Subject;
 use scenelang_verify::explain::RowRef;
-use scenelang_verify::prove::Contradiction;
 use scenelang_verify::{World, cone, judge as evaluate, surroundings};
 
 /// The first change that is tried (metres or degrees), and how much larger each next one is.
@@ -73,10 +72,10 @@ pub(super) fn numbers(
     judge: &Judge<'_>,
     text: &Text<'_>,
     options: &RepairOptions,
-    contradiction: Option<&Contradiction>,
+    apart: &[(Vec<RowRef>, Layout)],
 ) -> Vec<Alternative> {
-    for (rows, layout) in preference::apart(judge, contradiction) {
-        let found = numbers_of(judge, text, options, (&rows, &layout));
+    for (rows, layout) in apart {
+        let found = numbers_of(judge, text, options, (rows, layout));
         if !found.is_empty() {
             return found;
         }
