@@ -27,7 +27,10 @@ pub fn complete(mut brief: Brief, extent: Extent) -> Brief {
             defaults::seats(&mut brief);
             defaults::fence(&mut brief);
         }
-        Extent::Literal => home::fold(&mut brief),
+        Extent::Literal => {
+            crate::furnish::in_rows(&mut brief);
+            home::fold(&mut brief);
+        }
     }
     settle::settle(&mut brief);
     brief

@@ -262,6 +262,15 @@ fn in_a_row(brief: &Brief, at: usize) -> usize {
     ((ROW * kind.size[0] / width).round() as usize).clamp(IN_A_ROW, LONGEST_ROW)
 }
 
+/// "Five rows of desks", of which nobody says how many: a few in each row.
+pub fn in_rows(brief: &mut Brief) {
+    for at in 0..brief.things.len() {
+        if let Some(rows) = rows(brief, at) {
+            brief.things[at].number = Number::Exactly(rows * IN_A_ROW);
+        }
+    }
+}
+
 /// In how many rows things stand of which nobody says how many there are: "six rows of racks".
 fn rows(brief: &Brief, at: usize) -> Option<usize> {
     let of = |fact: &Fact| match fact.what {

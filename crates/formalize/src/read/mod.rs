@@ -20,6 +20,7 @@ mod finishes;
 mod goods;
 mod homes;
 pub(crate) mod lexicon;
+mod loose;
 mod meant;
 mod measure;
 mod named;

@@ -9,8 +9,9 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 56] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 57] = [
             super::spelling::plain,
+            super::loose::plain,
             super::compass::plain,
             apart,
             together,

@@ -167,10 +167,11 @@ fn one_there(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some((_, n)) = tokens.get(end..).and_then(|rest| get().relation(rest)).filter(|(_, n)| *n > 0) else {
         return false;
     };
+    let closest = matches!(word(tokens, end), "closest" | "nearest");
     let the = matches!(word(tokens, end + n), "the" | "a");
     let Some(place) = noun(tokens, end + n + 1).filter(|_| the) else { return false };
     let fixed = matches!(get().noun(&singular(&tokens[place.end - 1].text)), Some(Group::Window | Group::Door));
-    if !fixed || !goes_on(tokens, place.end) {
+    if !(fixed || closest) || !goes_on(tokens, place.end) {
         return false;
     }
     let noun: Vec<String> = tokens[i + 1..end].iter().map(|t| t.text.clone()).collect();
@@ -208,6 +209,10 @@ mod tests {
                 "two sofas . the first sofa is to the left of the second sofa . the first sofa is red and the second sofa is blue",
             ),
             ("three chairs, the first of which is red", "three chairs . the first chair is red"),
+            (
+                "three tables. the table closest to the fireplace has a vase",
+                "three tables . the first table is closest to the fireplace . the first table has a vase",
+            ),
             ("a desk. the first is red", "a desk . the first is red"),
             (
                 "two shelves. the left shelf holds a vase. the right shelf holds a book",

@@ -6,6 +6,8 @@ use crate::write::number;
 
 /// Beside what stands between something and a wall so much is free (metres).
 const PASS: f64 = 0.6;
+/// What is so many times deeper than wide has its long sides at its left and right.
+const LONGER: f64 = 1.2;
 
 impl Named<'_> {
     #[allow(clippy::too_many_arguments)]
@@ -145,7 +147,10 @@ impl Named<'_> {
             }),
             Rel::Parallel | Rel::Perpendicular => {
                 let along = direction.map(|d| d.0).or_else(|| self.axis(a, which));
-                let axis = along.map(|axis| if (axis == 'x') == (rel == Rel::Parallel) { 'x' } else { 'z' });
+                // Of a bed the long side is the one at which its front is not.
+                let [w, _, d] = self.sizes[a];
+                let is_across = (rel == Rel::Parallel) != (d > LONGER * w);
+                let axis = along.map(|axis| if (axis == 'x') == is_across { 'x' } else { 'z' });
                 Some(match axis {
                     Some(axis) => self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")),
                     None => self.all(a, |x| format!("max(abs({x}.front.x), abs({x}.front.z)) >= 0.99")),

@@ -35,7 +35,33 @@ const OPENING: [&str; 24] = [
     "washer",
 ];
 
+/// So many form a circle by themselves, with this much between two of them and at least this radius (metres).
+const RING: std::ops::RangeInclusive<usize> = 3..=12;
+const IN_RING: f64 = 0.3;
+const RADIUS: f64 = 1.0;
+
 impl Named<'_> {
+    /// A circle around nothing: evenly spaced, each turned to the middle.
+    fn in_ring(&self, a: usize) -> String {
+        let (of, n) = (self.name(a), self.counts[a]);
+        let radius =
+            (n as f64 * (self.sizes[a][0] + IN_RING) / std::f64::consts::TAU + self.sizes[a][2] / 2.0).max(RADIUS);
+        let each = (1..n).map(|i| {
+            let turn = 360.0 * i as f64 / n as f64;
+            let round = |v: f64| (v * 1000.0).round() / 1000.0;
+            let ahead = round(radius * (1.0 - turn.to_radians().cos()));
+            let aside = round(radius * turn.to_radians().sin());
+            let sign = if aside < 0.0 { '+' } else { '-' };
+            format!(
+                "{of}[{i}].pos = {of}[0].pos + {of}[0].front * {} {sign} {of}[0].right * {} and {of}[{i}].rot.y = {of}[0].rot.y + {}",
+                number(ahead),
+                number(aside.abs()),
+                number(round(turn))
+            )
+        });
+        each.collect::<Vec<_>>().join(" and ")
+    }
+
     pub(super) fn pattern(&self, a: usize, all: &[usize], pattern: Pattern) -> Option<String> {
         let of = self.name(a);
         let n = self.counts[a];
@@ -102,6 +128,7 @@ impl Named<'_> {
                         let drawn = if self.group(a) == Group::Seat { DRAWN_UP } else { AROUND };
                         format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
                     }
+                    None if RING.contains(&n) => self.in_ring(a),
                     None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
                 }
             }

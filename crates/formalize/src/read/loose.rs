@@ -1,0 +1,217 @@
+//! What is said behind a noun and belongs before it: "a fridge, which is tall", "twelve chairs, all brown except one", "chairs,
+//! at least three of them", "a hall, 20 metres on each side".
+
+use super::lexicon::{get, singular};
+use super::number;
+use super::paraphrase::{ends, put, word};
+use super::shares::{counted, noun};
+use super::token::{Token, WordKind};
+use crate::brief::Group;
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
+        [which_is, all_but, so_many_of_them, square, keep_away, two_seater, joined_by, filled];
+    turns.iter().any(|turn| turn(tokens, i))
+}
+
+fn sentence(tokens: &mut Token) {
+    tokens.text = ".".to_owned();
+    tokens.kind = WordKind::Sign('.');
+}
+
+/// "A sink and a fridge, which is tall": a tall fridge. Of several things "which are" may be all of them.
+fn which_is(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let which = matches!(word(tokens, i), "which" | "that") && word(tokens, i + 1) == "is";
+    let look = i + 2;
+    if !which || i == 0 || !get().is_look(word(tokens, look)) || !ends(tokens, look + 1) {
+        return false;
+    }
+    let comma = usize::from(tokens[i - 1].is(","));
+    let end = i - comma;
+    const BACK: usize = 5;
+    let article = (end.saturating_sub(BACK)..end).rev().find(|k| matches!(word(tokens, *k), "a" | "an"));
+    let Some(article) = article.filter(|at| noun(tokens, at + 1).is_some_and(|name| name.end == end)) else {
+        return false;
+    };
+    let said = tokens[look].clone();
+    tokens.drain(end..look + 1);
+    tokens.insert(article + 1, said);
+    true
+}
+
+/// "Twelve chairs, all brown except one, which is black": eleven brown chairs and one black chair.
+fn all_but(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !tokens[i].is(",") || word(tokens, i + 1) != "all" || !get().is_look(word(tokens, i + 2)) {
+        return false;
+    }
+    let except = matches!(word(tokens, i + 3), "except" | "but") && word(tokens, i + 4) == "one";
+    let Some(all) = counted(tokens, i, 2).filter(|all| except && all.noun.end == i) else { return false };
+    let comma = i + 5 + usize::from(tokens.get(i + 5).is_some_and(|t| t.is(",")));
+    let which =
+        word(tokens, comma) == "which" && word(tokens, comma + 1) == "is" && get().is_look(word(tokens, comma + 2));
+    if !which || !ends(tokens, comma + 3) {
+        return false;
+    }
+    let Some(from) = (0..all.noun.start).rev().find(|k| number::count(&tokens[*k..=*k]).is_some()) else {
+        return false;
+    };
+    let looks = [word(tokens, i + 2).to_owned(), word(tokens, comma + 2).to_owned()];
+    let mut names: Vec<String> = tokens[from + 1..i].iter().map(|t| t.text.clone()).collect();
+    let many = names.clone();
+    if let Some(last) = names.last_mut() {
+        *last = singular(last);
+    }
+    let n = (all.n - 1).to_string();
+    let words = [vec![n, looks[0].clone()], many, vec!["and".into(), "one".into(), looks[1].clone()], names].concat();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    put(tokens, from, comma + 3, &words);
+    tokens[from].kind = WordKind::Number((all.n - 1) as f64);
+    true
+}
+
+/// "Chairs, at least three of them": at least three chairs.
+fn so_many_of_them(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !tokens[i].is(",") {
+        return false;
+    }
+    let words = match [word(tokens, i + 1), word(tokens, i + 2)] {
+        ["at", "least" | "most"] => 2,
+        ["exactly", _] => 1,
+        _ => return false,
+    };
+    let Some((_, used)) = tokens.get(i + 1 + words..).and_then(number::count) else { return false };
+    let of = i + 1 + words + used;
+    if word(tokens, of) != "of" || word(tokens, of + 1) != "them" || !ends(tokens, of + 2) {
+        return false;
+    }
+    const BACK: usize = 4;
+    let plural = |k: &usize| {
+        let named = noun(tokens, *k).filter(|name| name.end == i && name.start == *k);
+        named.is_some_and(|name| singular(&tokens[name.end - 1].text) != tokens[name.end - 1].text)
+    };
+    let Some(from) = (i.saturating_sub(BACK)..i).find(plural) else { return false };
+    let looks = (0..from).rev().take_while(|k| get().is_look(&tokens[*k].text)).count();
+    let said: Vec<Token> = tokens[i + 1..of].to_vec();
+    tokens.drain(i..of + 2);
+    tokens.splice(from - looks..from - looks, said);
+    true
+}
+
+/// "A hall, 20 metres on each side", "a cell 3 m square": 20 by 20 metres.
+fn square(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some((_, used)) = tokens.get(i..).and_then(super::measure::measure) else { return false };
+    let end = i + used;
+    let sides = word(tokens, end) == "on"
+        && matches!(word(tokens, end + 1), "each" | "every" | "a")
+        && word(tokens, end + 2) == "side";
+    let to = match () {
+        () if sides => end + 3,
+        () if word(tokens, end) == "square" => end + 1,
+        () => return false,
+    };
+    if used > 2 || !ends(tokens, to) {
+        return false;
+    }
+    let measure = tokens[i..end].to_vec();
+    put(tokens, end, to, &["by"]);
+    tokens.splice(end + 1..end + 1, measure);
+    true
+}
+
+/// "Keep everything at least 1 m away from the door": nothing is within 1 m of the door.
+fn keep_away(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let all = matches!(word(tokens, i + 1), "everything" | "all");
+    if !matches!(word(tokens, i), "keep" | "leave") || !all {
+        return false;
+    }
+    let least = if word(tokens, i + 2) == "at" && word(tokens, i + 3) == "least" { i + 4 } else { i + 2 };
+    let Some((_, used)) = tokens.get(least..).and_then(super::measure::measure) else { return false };
+    let end = least + used;
+    let away = usize::from(word(tokens, end) == "away");
+    if word(tokens, end + away) != "from" {
+        return false;
+    }
+    put(tokens, end, end + away + 1, &["of"]);
+    put(tokens, i, least, &["nothing", "is", "within"]);
+    true
+}
+
+/// "A two-seater and a lamp": a sofa for two.
+fn two_seater(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said =
+        matches!(word(tokens, i), "two-seater" | "three-seater" | "four-seater" | "two-seaters" | "three-seaters");
+    if !said || noun(tokens, i + 1).is_some_and(|name| name.end > i + 1) {
+        return false;
+    }
+    let many = word(tokens, i).ends_with('s');
+    let text = tokens[i].text.trim_end_matches('s').to_owned();
+    put(tokens, i, i + 1, &[&text, if many { "sofas" } else { "sofa" }]);
+    true
+}
+
+/// "A kitchen and a hall joined by a door": connected.
+fn joined_by(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "joined" | "linked")
+        && word(tokens, i + 1) == "by"
+        && matches!(word(tokens, i + 2), "a" | "an" | "the" | "one");
+    if said {
+        put(tokens, i, i + 1, &["connected"]);
+    }
+    said
+}
+
+/// "A tray with cups on the table": a tray on the table; the tray holds cups.
+fn filled(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const HOLDERS: [&str; 6] = ["tray", "plate", "bowl", "basket", "crate", "platter"];
+    if !HOLDERS.contains(&word(tokens, i)) || word(tokens, i + 1) != "with" || i == 0 {
+        return false;
+    }
+    let Some((_, used)) = tokens.get(i + 2..).and_then(|rest| Some(number::count(rest).unwrap_or((1.0, 0)))) else {
+        return false;
+    };
+    let Some(name) = noun(tokens, i + 2 + used) else { return false };
+    let small = get().noun(&singular(&tokens[name.end - 1].text)) == Some(Group::Top);
+    let many = singular(&tokens[name.end - 1].text) != tokens[name.end - 1].text;
+    let on = word(tokens, name.end) == "on" && matches!(word(tokens, name.end + 1), "the" | "a");
+    let Some(carrier) = noun(tokens, name.end + 2).filter(|to| small && many && on && ends(tokens, to.end)) else {
+        return false;
+    };
+    if tokens.get(carrier.end).is_some_and(|t| t.is("and") || t.is(",")) {
+        return false;
+    }
+    let holder = tokens[i].clone();
+    let make = |text: &str| Token { text: text.to_owned(), ..holder.clone() };
+    let mut stop = make(".");
+    sentence(&mut stop);
+    let contents: Vec<Token> = tokens[i + 2..name.end].to_vec();
+    let place: Vec<Token> = tokens[name.end..carrier.end].to_vec();
+    let said = [place, vec![stop, make("the"), holder.clone(), make("holds")], contents].concat();
+    tokens.splice(i + 1..carrier.end, said);
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::paraphrase;
+
+    #[test]
+    fn what_follows_a_noun_goes_before_it() {
+        for (text, becomes) in [
+            ("a sink, a stove, and a fridge, which is tall.", "a sink , a stove , and a tall fridge ."),
+            ("three red chairs and a table which is black.", "three red chairs and a black table ."),
+            ("a sofa facing the tv, which is black.", "a sofa facing the tv , which is black ."),
+            ("twelve chairs, all brown except one, which is black.", "11 brown chairs and one black chair ."),
+            ("there are chairs, at least three of them.", "there are at least three chairs ."),
+            ("a hall, 20 metres on each side.", "a hall , 20 metres by 20 metres ."),
+            ("keep everything at least 1 m away from the door.", "nothing is within 1 m of the door ."),
+            ("a two-seater and a lamp.", "a two-seater sofa and a lamp ."),
+            ("a two-seater sofa.", "a two-seater sofa ."),
+            ("a kitchen and a hall joined by a door.", "a kitchen and a hall connected by a door ."),
+            ("a tray with cups on the table.", "a tray on the table . the tray holds cups ."),
+            ("a bowl with fruit on the table.", "a bowl with fruit on the table ."),
+        ] {
+            assert_eq!(paraphrase::plainly(text), becomes);
+        }
+    }
+}
