@@ -129,7 +129,11 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         // Stools that stand at tables are not those of the bar.
         let noun_of = |t: &DraftThing| t.category.replace('_', " ");
         let sits = |t: &DraftThing| t.room == Some(plan.room) && t.count > 1 && has_seats(plan, &noun_of(t));
-        if in_row && plan.draft.things.iter().any(sits) {
+        let told = plan.companions(at).into_iter().any(|seat| {
+            let named = |text: &str| mentions(text, &plan.draft.things[seat].name) && mentions(text, &thing.name);
+            plan.draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && named(&s.text))
+        });
+        if in_row && !told && plan.draft.things.iter().any(sits) {
             continue;
         }
         let (room_for, needed) = match in_row {

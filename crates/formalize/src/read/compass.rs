@@ -8,7 +8,7 @@ use crate::furnish::kinds;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 5] = [corner, facing, side, on_the_left, away];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] = [corner, facing, side, along_side, on_the_left, away];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -87,6 +87,18 @@ fn side(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Fridges along the right side": along the right wall.
+fn along_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "along" && word(tokens, i + 1) == "the" && word(tokens, i + 3) == "side";
+    let which =
+        matches!(word(tokens, i + 2), "left" | "right" | "back" | "front") || on_plan(word(tokens, i + 2)).is_some();
+    if said && which && ends(tokens, i + 4) {
+        put(tokens, i + 3, i + 4, &["wall"]);
+        return true;
+    }
+    false
+}
+
 /// "The sink is on the left.": in that half of the room, where nothing is said to be on the other side.
 fn on_the_left(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = matches!(word(tokens, i), "on" | "at") && word(tokens, i + 1) == "the";
@@ -160,6 +172,8 @@ mod tests {
             ("a chair on the left side of the room.", "a chair to the left as you come in ."),
             ("a desk on the north side of the office.", "a desk at the back of the office ."),
             ("a lamp on the left side of the desk.", "a lamp on the left side of the desk ."),
+            ("fridges along the right side and a till.", "fridges along the right wall and a till ."),
+            ("a bed with lamps on both sides.", "a bed with lamps on both sides ."),
             ("the sink is on the left.", "the sink is to the left as you come in ."),
             (
                 "the sofa is on the left and the desk is on the right.",

@@ -10,8 +10,20 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
-        [which_is, all_but, so_many_of_them, square, keep_away, two_seater, joined_by, filled];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 12] = [
+        which_is,
+        all_but,
+        so_many_of_them,
+        square,
+        keep_away,
+        two_seater,
+        joined_by,
+        filled,
+        behind_what,
+        back_to_back,
+        aisles,
+        at_the_till,
+    ];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -191,6 +203,71 @@ fn filled(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A desk, two chairs and a bookshelf behind": behind the desk.
+fn behind_what(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const BEFORE: [&str; 5] = ["desk", "counter", "bar", "sofa", "couch"];
+    if word(tokens, i) != "behind" || !ends(tokens, i + 1) || i == 0 || word(tokens, i - 1) == "from" {
+        return false;
+    }
+    let named = noun_before(tokens, i);
+    let starts = |k: &usize| matches!(tokens[*k].kind, WordKind::Line | WordKind::Sign('.' | ';'));
+    let from = (0..i).rev().find(starts).map_or(0, |k| k + 1);
+    let what = (from..i).find(|k| BEFORE.contains(&word(tokens, *k)));
+    let Some(what) = what.filter(|what| named && *what + 1 < i) else { return false };
+    let what = tokens[what].text.clone();
+    put(tokens, i, i + 1, &["behind", "the", &what]);
+    true
+}
+
+/// Whether a noun ends before a token.
+fn noun_before(tokens: &[Token], i: usize) -> bool {
+    (i.saturating_sub(3)..i).any(|k| noun(tokens, k).is_some_and(|name| name.end == i))
+}
+
+/// "An office for two people working back to back": with two desks at opposite walls.
+fn back_to_back(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let back = ["back", "to", "back"].iter().enumerate().all(|(k, said)| word(tokens, i + 1 + k) == *said);
+    if !matches!(word(tokens, i), "working" | "sitting")
+        || !back
+        || !matches!(word(tokens, i - 1), "people" | "persons")
+    {
+        return false;
+    }
+    let Some((n, _)) = (2..i).rev().take(2).find_map(|k| number::count(&tokens[k..i])) else { return false };
+    let has_desk = tokens.iter().any(|t| t.is("desks") || t.is("desk"));
+    if n != 2.0 || has_desk {
+        return false;
+    }
+    put(tokens, i, i + 4, &["with", "two", "desks", "against", "opposite", "walls"]);
+    true
+}
+
+/// "A grocery with five aisles": with so many rows of shelves.
+fn aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some((_, used)) = tokens.get(i..).and_then(number::count) else { return false };
+    let said = word(tokens, i + used) == "aisles" && i > 0 && matches!(word(tokens, i - 1), "with" | "has" | "and");
+    let stands = tokens.iter().any(|t| matches!(t.text.as_str(), "shelves" | "racks" | "rows" | "gondolas"));
+    if !said || stands || !ends(tokens, i + used + 1) {
+        return false;
+    }
+    put(tokens, i + used, i + used + 1, &["rows", "of", "shelves"]);
+    true
+}
+
+/// "A cake display next to the till": next to the counter on which it stands.
+fn at_the_till(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let near = matches!(word(tokens, i), "to" | "beside" | "by" | "near" | "behind") && word(tokens, i + 1) == "the";
+    let cash = word(tokens, i + 2) == "cash" && word(tokens, i + 3) == "register";
+    let end = i + 3 + usize::from(cash);
+    let till = cash || word(tokens, i + 2) == "till";
+    let again = tokens.iter().filter(|t| t.is("till") || t.is("register") || t.is("counter")).count() > 1;
+    if !near || !till || again || !ends(tokens, end) {
+        return false;
+    }
+    put(tokens, i + 2, end, &["counter"]);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::paraphrase;
@@ -209,6 +286,13 @@ mod tests {
             ("a two-seater sofa.", "a two-seater sofa ."),
             ("a kitchen and a hall joined by a door.", "a kitchen and a hall connected by a door ."),
             ("a tray with cups on the table.", "a tray on the table . the tray holds cups ."),
+            ("a desk, two chairs and a bookshelf behind.", "a desk , two chairs and a bookshelf behind the desk ."),
+            (
+                "an office for two people working back to back.",
+                "an office for two people with two desks against opposite walls .",
+            ),
+            ("a grocery with five aisles and a till.", "a grocery with five rows of shelves and a till ."),
+            ("a cake display next to the till.", "a cake display next to the counter ."),
             ("a bowl with fruit on the table.", "a bowl with fruit on the table ."),
         ] {
             assert_eq!(paraphrase::plainly(text), becomes);

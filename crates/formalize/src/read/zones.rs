@@ -193,6 +193,10 @@ fn replace(tokens: &mut Vec<Token>, zone: &Zone, kind: &FurnishingKind, from: us
     let mut there = kind.lines.iter().filter(|line| line.least == 0.0 && zone.present.contains(&line.noun));
     match there.next() {
         _ if told => {}
+        // "A play corner": its mat is in a corner.
+        None if tokens[end - 1].is("corner") && zone.things.starts_with(&["a", "play", "mat"]) => {
+            put(tokens, from, end, &[&["a", "play", "mat", "in", "a", "corner"], &zone.things[3..]].concat());
+        }
         None => put(tokens, from, end, &zone.things),
         // What such rooms have anyway is asked for then.
         Some(line) if line.count == Count::Fixed(1) => {

@@ -223,7 +223,8 @@ impl Named<'_> {
             }
             return;
         }
-        if m == 1 && n > 1 && self.array(a) {
+        let is_bar = self.brief.things[b].words.last().is_some_and(|word| word == "bar" || word == "counter");
+        if m == 1 && n > 1 && self.array(a) && !(seat && is_bar) {
             out.push(format!("{verb} around({of}, {to}, {});", number(d)));
         } else if self.array(a) && self.array(b) && n % m == 0 && n > m && n / m <= 8 {
             // Each table has its own: at its four sides in turn.
@@ -247,7 +248,10 @@ impl Named<'_> {
                 self.pairs(a, b, &|x, y| format!("looksAt({x}, {y})"))
             ));
         }
-        if seat && m == 1 && self.array(a) && (3..=LISTED).contains(&n) {
+        if seat && m == 1 && self.array(a) && is_bar {
+            // Who serves is on the other side.
+            out.push(format!("prefer forall a in {of}: inFrontOf(a, {to});"));
+        } else if seat && m == 1 && self.array(a) && (3..=LISTED).contains(&n) {
             // Spread evenly, where nothing stands in the way.
             const SIDES: [&str; 6] = ["inFrontOf", "behind", "leftOf", "rightOf", "inFrontOf", "behind"];
             let each: Vec<String> = (0..n).map(|i| format!("{}({of}[{i}], {to})", SIDES[i % SIDES.len()])).collect();

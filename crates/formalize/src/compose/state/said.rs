@@ -192,6 +192,10 @@ impl Named<'_> {
                 out.push(format!("{verb} {};", pairs(&far(AT_WINDOW))));
                 out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})"))));
             }
+            // Who sits at a desk that faces the door sees who comes in.
+            Rel::Facing if gb == Group::Door && self.counts[a] == 1 && self.counts[b] == 1 && self.sat_at(a) => {
+                out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})"))));
+            }
             Rel::Facing => {
                 out.push(format!("{verb} {};", pairs(&call("looksAt"))));
                 // A screen is seen from its front; of the rest, what faces something is mostly before its front.
