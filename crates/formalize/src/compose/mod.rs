@@ -276,7 +276,9 @@ fn polygon(corners: usize, w: f64, d: f64) -> Vec<[f64; 2]> {
 /// What a door that is asked for is, if it is no ordinary one: for cars and goods, or to the bathroom of a studio.
 fn inner_or_goods(name: &str) -> Option<String> {
     const INNER: &str = "bathroom door";
-    let goods = ["garage door", "roller door", "roller shutter", "loading door"].iter().any(|end| name.ends_with(end));
+    const GOODS: [&str; 6] =
+        ["garage door", "roller door", "roller shutter", "loading door", "dock door", "loading gate"];
+    let goods = GOODS.iter().any(|end| name.ends_with(end)) || name == "gate";
     match name {
         _ if goods => Some(GATE.to_owned()),
         INNER => Some(INNER.to_owned()),

@@ -54,7 +54,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
         && only
         && stand::group(&it.category) == Group::Bed
         && (!OTHER.iter().any(|other| noun.ends_with(other)) || divider(plan, &it.name).is_some())
-        && !plan.draft.things.iter().any(asked)
+        && (!plan.draft.things.iter().any(asked) || divider(plan, &it.name).is_some())
 }
 
 /// The thing that a statement says is between the two.

@@ -29,7 +29,14 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
     for clause in clauses(tokens) {
         let at = tokens[clause.start].at.start..tokens[clause.end - 1].at.end;
         let own: Vec<usize> = clause.clone().filter(|i| says_something(tokens, *i, grammar)).collect();
-        out.words.extend(own.iter().map(|i| Word { at: tokens[*i].at.clone(), used: used[*i] }));
+        for i in &own {
+            let word = Word { at: tokens[*i].at.clone(), used: used[*i] };
+            // What stands for a phrase of the request is that phrase, once.
+            match out.words.iter_mut().find(|known| known.at == word.at) {
+                Some(known) => known.used &= word.used,
+                None => out.words.push(word),
+            }
+        }
         let understood = own.iter().all(|i| used[*i] || is_purpose(tokens, *i));
         out.clauses.push(Clause { at: at.clone(), understood });
         if !understood && own.iter().all(|i| !used[*i]) {

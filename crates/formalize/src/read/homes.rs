@@ -150,7 +150,8 @@ fn another_room(tokens: &mut Vec<Token>, i: usize) -> bool {
     let other = (0..article.saturating_sub(2)).find(|k| begins(*k)).and_then(|k| {
         let end = room(tokens, k + 1)?;
         let first = matches!(word(tokens, end), "with" | "has" | "contains" | "that" | "where" | "");
-        kinds::named(&name(k + 1, end)).filter(|_| first).map(|kind| kind.name)
+        let is_one = get().room(&name(k + 1, end)).is_none_or(|known| !known.loose);
+        kinds::named(&name(k + 1, end)).filter(|_| first && is_one).map(|kind| kind.name)
     });
     if !is_room || !has || is_home(tokens, i) || other.is_none_or(|other| Some(other) == kind || WHOLE.contains(&other))
     {

@@ -6,12 +6,13 @@ use super::number;
 use super::paraphrase::{ends, put, word};
 use super::shares::{counted, noun};
 use super::token::{Token, WordKind};
+use crate::brief::Group;
 use scenelang_lang::nouns::plural;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
-        [joined, and_one, each_of, stacked, each_wall, not_any, has_been, which_hangs, rows_with];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] =
+        [joined, and_one, each_of, stacked, each_wall, not_any, has_been, which_hangs, rows_with, circle_of];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -111,16 +112,27 @@ fn stacked(tokens: &mut Vec<Token>, i: usize) -> bool {
     all.noun.end == i
 }
 
+/// Whether a sentence begins at a token.
+fn begins(tokens: &[Token], k: usize) -> bool {
+    k == 0 || matches!(tokens[k - 1].kind, WordKind::Sign('.' | ';') | WordKind::Line)
+}
+
 /// "A picture hangs on each wall", "on each wall hangs a picture": four, one on each of the walls.
 fn each_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
     const WALLS: [&str; 4] = ["left", "right", "back", "front"];
     const NTH: [&str; 4] = ["first", "second", "third", "fourth"];
+    let each = |k: usize| matches!(word(tokens, k), "each" | "every") && word(tokens, k + 1) == "wall";
+    // "Each wall has a picture".
+    if begins(tokens, i) && each(i) && word(tokens, i + 2) == "has" && matches!(word(tokens, i + 3), "a" | "an" | "one")
+    {
+        put(tokens, i, i + 3, &["on", "each", "wall", "hangs"]);
+    }
     let said =
         word(tokens, i) == "on" && matches!(word(tokens, i + 1), "each" | "every") && word(tokens, i + 2) == "wall";
     if !said || i > 0 && tokens[i - 1].is(",") {
         return false;
     }
-    let starts = |k: usize| k == 0 || matches!(tokens[k - 1].kind, WordKind::Sign('.' | ';') | WordKind::Line);
+    let starts = |k: usize| begins(tokens, k);
     let hangs = |k: usize| matches!(word(tokens, k), "hangs" | "is" | "hung" | "mounted");
     let article = |k: usize| matches!(word(tokens, k), "a" | "an" | "one");
     let named = |from: usize| noun(tokens, from + 1).map(|name| (from + 1, name));
@@ -151,11 +163,15 @@ fn each_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
         *last = plural(last);
     }
     let mut words: Vec<String> = [vec!["four".to_owned()], looks, many].concat();
-    words.extend(["hang", "on", "the", "walls"].map(str::to_owned));
+    // Windows are in the walls anyway.
+    let opening = matches!(get().noun(&thing.join(" ")), Some(Group::Window | Group::Door));
+    if !opening {
+        words.extend(["hang", "on", "the", "walls"].map(str::to_owned));
+    }
     for (nth, wall) in NTH.iter().zip(WALLS) {
         words.extend([".", "the", nth].map(str::to_owned));
         words.extend(thing.iter().cloned());
-        words.extend(["hangs", "on", "the", wall, "wall"].map(str::to_owned));
+        words.extend([if opening { "is" } else { "hangs" }, "on", "the", wall, "wall"].map(str::to_owned));
     }
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     put(tokens, from, to, &words);
@@ -202,6 +218,19 @@ fn which_hangs(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A circle of eight chairs": eight chairs in a circle.
+fn circle_of(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said =
+        word(tokens, i) == "a" && matches!(word(tokens, i + 1), "circle" | "ring") && word(tokens, i + 2) == "of";
+    let Some((n, used)) = tokens.get(i + 3..).and_then(number::count).filter(|_| said) else { return false };
+    let Some(name) = noun(tokens, i + 3 + used).filter(|_| n > 2.0) else { return false };
+    let copy = tokens[i + 1].clone();
+    let words = ["in", "a", "circle"].map(|text| Token { text: text.to_owned(), ..copy.clone() });
+    tokens.splice(name.end..name.end, words);
+    tokens.drain(i..i + 3);
+    true
+}
+
 /// "Three rows with four chairs each": three rows of four chairs.
 fn rows_with(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = word(tokens, i) == "rows" && word(tokens, i + 1) == "with" && i > 0;
@@ -234,6 +263,8 @@ mod tests {
             ("the room doesn't have any windows.", "the room has no windows ."),
             ("a chair has been placed next to the desk.", "a chair is placed next to the desk ."),
             ("a sofa facing the tv, which hangs on the wall.", "a sofa facing the tv , which is on the wall ."),
+            ("a circle of eight white chairs.", "eight white chairs in a circle ."),
+            ("a ring of light.", "a ring of light ."),
             ("three rows with four chairs each.", "three rows of four chairs ."),
             ("three boxes are stacked on top of each other.", "three boxes on top of each other ."),
         ] {
@@ -249,6 +280,8 @@ mod tests {
         );
         let becomes = paraphrase::plainly("a lamp is mounted on every wall.");
         assert!(becomes.starts_with("four lamps hang on the walls . the first lamp hangs"), "{becomes}");
+        let becomes = paraphrase::plainly("each wall has a window.");
+        assert!(becomes.starts_with("four windows . the first window is on the left wall ."), "{becomes}");
         assert_eq!(paraphrase::plainly("a lamp hangs on the wall."), "a lamp hangs on the wall .");
     }
 }
