@@ -128,6 +128,12 @@ fn declare(
         if item.opening() {
             let mut rooms = vec![item.room];
             rooms.extend(item.beyond);
+            // The gate of a garden is no door for cars.
+            let has_gate = brief
+                .rooms
+                .get(item.room)
+                .and_then(|room| kinds::of(&room.name))
+                .is_some_and(|kind| kind.gate.is_some());
             let kind = if item.group == Group::Door { OpeningKind::Door } else { OpeningKind::Window };
             for name in &given[i] {
                 let mut size = sizes[i];
@@ -138,7 +144,7 @@ fn declare(
                 draft.openings.push(Opening {
                     name: name.clone(),
                     kind,
-                    category: inner_or_goods(&item.name()),
+                    category: inner_or_goods(&item.name(), has_gate),
                     rooms: rooms.clone(),
                     size,
                     look: item.look.clone(),
@@ -274,11 +280,11 @@ fn polygon(corners: usize, w: f64, d: f64) -> Vec<[f64; 2]> {
 }
 
 /// What a door that is asked for is, if it is no ordinary one: for cars and goods, or to the bathroom of a studio.
-fn inner_or_goods(name: &str) -> Option<String> {
+fn inner_or_goods(name: &str, has_gate: bool) -> Option<String> {
     const INNER: &str = "bathroom door";
     const GOODS: [&str; 6] =
         ["garage door", "roller door", "roller shutter", "loading door", "dock door", "loading gate"];
-    let goods = GOODS.iter().any(|end| name.ends_with(end)) || name == "gate";
+    let goods = GOODS.iter().any(|end| name.ends_with(end)) || has_gate && name == "gate";
     match name {
         _ if goods => Some(GATE.to_owned()),
         INNER => Some(INNER.to_owned()),
