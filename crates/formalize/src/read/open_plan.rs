@@ -110,7 +110,15 @@ fn open_kitchen(tokens: &mut Vec<Token>) {
         return put(tokens, at - 1, at + 2, &["a", "kitchen", "counter"]);
     }
     if let Some(at) = (1..tokens.len()).find(open).filter(|at| is_home && !lives && word(tokens, at - 1) == "an") {
-        put(tokens, at - 1, at + 2, &["a", "living", "room", "with", "a", "kitchen", "counter"]);
+        // "An open kitchen with a table": the table is in the same room.
+        let with = at + 2 < tokens.len() && word(tokens, at + 2) == "with";
+        if with {
+            put(tokens, at + 2, at + 3, &["and"]);
+        }
+        // Where one sleeps elsewhere, the living room is smaller.
+        let small = tokens.iter().any(|t| t.is("bedroom") || t.is("bedrooms"));
+        let kitchen: &[&str] = if small { &["kitchenette"] } else { &["kitchen", "counter"] };
+        put(tokens, at - 1, at + 2, &[&["a", "living", "room", "with", "a"], kitchen].concat());
     }
 }
 
@@ -228,6 +236,10 @@ mod tests {
                 "a loft with a kitchen counter , a dining table and a sofa",
             ),
             ("a flat with an open kitchen", "a flat with a living room with a kitchen counter"),
+            (
+                "a flat with one bedroom and an open kitchen with a dining table",
+                "a flat with one bedroom and a living room with a kitchenette and a dining table",
+            ),
         ] {
             let mut tokens = token::tokens(text, 100).0;
             super::plain(&mut tokens);
