@@ -315,14 +315,15 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
         looks_at,
         by: line.map_or("", |line| line.by),
     };
-    // A mat has a place of its own, on which nothing stands.
-    let is_mat = stand::group(&noun) == Group::Flat
-        && (noun.ends_with("mat") || noun == order::DANCE_FLOOR)
-        && !plan.is_placed(thing);
-    if !(plan.ground.is_some() && (is_on_floor || is_mat) && give_place(plan, thing, wall, &like)) {
+    if !(plan.ground.is_some() && (is_on_floor || is_mat(plan, thing, &noun)) && give_place(plan, thing, wall, &like)) {
         plan.building = None;
         plan.surround(thing, wall, 0);
     }
+}
+
+/// Whether it is a mat, which has a place of its own on which nothing stands.
+fn is_mat(plan: &Plan, thing: usize, noun: &str) -> bool {
+    stand::group(noun) == Group::Flat && (noun.ends_with("mat") || noun == order::DANCE_FLOOR) && !plan.is_placed(thing)
 }
 
 /// Whether the request says where or how a thing stands, other than that it looks at a board of which nothing is said.

@@ -489,17 +489,13 @@ fn cells(
     let n = n.min(columns * lines);
     // As square as the room; racks stand in long rows.
     let square = if rack { 1 } else { ((n as f64 * free_d / free_w).sqrt().round() as usize).clamp(1, lines) };
-    let lines_used = n.div_ceil(columns).max(square);
-    // Full lines rather than a short last one, where that takes one more or one less.
     let halves = 1 + usize::from(aisle_of_seats > 0.0);
-    let full = |lines_used: &usize| {
-        (1..=lines).contains(lines_used) && n.is_multiple_of(halves * *lines_used) && n / lines_used <= columns
+    let lines_used = match n.div_ceil(columns).max(square) {
+        // A few racks in a large hall stand in several rows, not in one line.
+        used if rack && roomy => used.max(n.div_ceil(IN_SHORT_ROW)).min(lines),
+        used if rack => used,
+        used => full_lines(n, [columns, lines], used, (halves, if alone { 2 } else { 1 })),
     };
-    let wider = if alone { 2 } else { 1 };
-    let mut near = (0..=wider).flat_map(|by| [lines_used + by, lines_used.saturating_sub(by)]);
-    let lines_used = near.find(full).filter(|_| !rack).unwrap_or(lines_used);
-    // A few racks in a large hall stand in several rows, not in one line.
-    let lines_used = if rack && roomy { lines_used.max(n.div_ceil(IN_SHORT_ROW)).min(lines) } else { lines_used };
     let columns_used = n.div_ceil(lines_used).next_multiple_of(halves);
     let spread = match () {
         () if each == 2 && deep == 1 => widest.min(PAIRS[0].0),
@@ -529,6 +525,13 @@ fn cells(
         Pose { x, y: 0.0, z, yaw }
     };
     Some((0..asked.min(each * n)).map(place).collect())
+}
+
+/// Full lines rather than a short last one, where that takes up to `wider` more or less lines than wanted.
+fn full_lines(n: usize, [columns, lines]: [usize; 2], wanted: usize, (halves, wider): (usize, usize)) -> usize {
+    let full = |used: &usize| (1..=lines).contains(used) && n.is_multiple_of(halves * *used) && n / used <= columns;
+    let mut near = (0..=wider).flat_map(|by| [wanted + by, wanted.saturating_sub(by)]);
+    near.find(full).unwrap_or(wanted)
 }
 
 /// Desks that face each other in groups, spread over the floor; `front` is how far one reaches with its chair.

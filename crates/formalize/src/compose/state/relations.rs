@@ -44,12 +44,11 @@ impl Named<'_> {
         }
         let seat_at = ga == Group::Seat && matches!(gb, Group::Table);
         match rel {
-            Rel::Around => self.around(a, b, verb, out),
-            Rel::At if seat_at => self.around(a, b, verb, out),
-            Rel::At => {
+            Rel::At if !seat_at => {
                 let d = if ga == Group::Seat { DRAWN_UP } else { self.reach(a, b) };
                 out.push(format!("{verb} {};", pairs(&far(d))));
             }
+            Rel::Around | Rel::At => self.around(a, b, verb, out),
             Rel::In if matches!(gb, Group::Door | Group::Window) => out.push(format!("{verb} {};", pairs(&far(NEAR)))),
             Rel::On => self.carried_rel(&said, out),
             Rel::OnLeft | Rel::OnRight => {
