@@ -79,7 +79,10 @@ pub fn seats(brief: &mut Brief) {
     };
     let why = format!("{people} people sit there");
     let is_island = |i: &Thing| i.words.last().is_some_and(|word| word == "island");
-    let table = match brief.things.iter().position(|i| sits(i) && !is_island(i)) {
+    // A table rather than a counter.
+    let is_table = |i: &Thing| i.words.last().is_some_and(|word| word.ends_with("table"));
+    let first = |is: &dyn Fn(&Thing) -> bool| brief.things.iter().position(|i| sits(i) && !is_island(i) && is(i));
+    let table = match first(&is_table).or_else(|| first(&|_| true)) {
         Some(table) => table,
         // An island has stools for a few; a family also has a table.
         None => {

@@ -222,7 +222,8 @@ impl Named<'_> {
             }
             return;
         }
-        let is_bar = self.brief.things[b].words.last().is_some_and(|word| word == "bar" || word == "counter");
+        let words = &self.brief.things[b].words;
+        let is_bar = words.last().is_some_and(|word| word == "bar" || word == "counter") && words[0] != "kitchen";
         if m == 1 && n > 1 && self.array(a) && !(seat && is_bar) {
             out.push(format!("{verb} around({of}, {to}, {});", number(d)));
         } else if self.array(a) && self.array(b) && n % m == 0 && n > m && n / m <= 8 {
