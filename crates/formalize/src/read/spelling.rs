@@ -26,7 +26,7 @@ fn joined(tokens: &mut Vec<Token>, i: usize) -> bool {
     let known = |name: &str| scenelang_lang::nouns::noun(name).is_some();
     let one = format!("{first}{last}");
     // "A night stand" is no stand, though a name of two words may be known as well.
-    let ends = ["stand", "chair", "shelf", "case", "board"].contains(&last.as_str());
+    let ends = ["stand", "chair"].contains(&last.as_str());
     let is_one = known(&one) && get().noun(&one).is_some() && (ends || !known(&format!("{first} {last}")));
     // "A desk top lamp": more belongs to the name.
     let goes_on = !word(tokens, i + 2).is_empty() && known(&format!("{last} {}", word(tokens, i + 2)));
