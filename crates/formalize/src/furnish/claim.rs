@@ -216,9 +216,8 @@ impl Plan<'_> {
         let hangs_over = matches!(part.at, Where::Above(..));
         let tells = |s: &&Statement| {
             // What hangs there has something before it, and is not said to be anywhere.
-            !daylight::is_moving_window(self, s)
-                && !carries(&s.text, name)
-                && !(hangs_over && !is_subject(&s.text, name))
+            let only_before = hangs_over && !is_subject(&s.text, name);
+            !(daylight::is_moving_window(self, s) || carries(&s.text, name) || only_before)
         };
         self.draft.statements.iter().filter(about).filter(tells).all(|s| {
             // That seats are spread over the sides of a table is only preferred.

@@ -179,7 +179,7 @@ fn filled(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !HOLDERS.contains(&word(tokens, i)) || word(tokens, i + 1) != "with" || i == 0 {
         return false;
     }
-    let Some((_, used)) = tokens.get(i + 2..).and_then(|rest| Some(number::count(rest).unwrap_or((1.0, 0)))) else {
+    let Some((_, used)) = tokens.get(i + 2..).map(|rest| number::count(rest).unwrap_or((1.0, 0))) else {
         return false;
     };
     let Some(name) = noun(tokens, i + 2 + used) else { return false };

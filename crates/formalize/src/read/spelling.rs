@@ -147,8 +147,8 @@ fn each_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
         let begin = (0..i).rev().find(|k| starts(*k)).unwrap_or(0);
         let begin = begin + if word(tokens, begin) == "there" { 2 } else { 0 };
         let Some(thing) = Some(begin).filter(|at| article(*at)).and_then(named) else { return false };
-        let verbs = thing.1.end..i;
-        if verbs.len() > 2 || !verbs.clone().all(hangs) {
+        let mut verbs = thing.1.end..i;
+        if verbs.len() > 2 || !verbs.all(hangs) {
             return false;
         }
         (begin, i + 3, thing)

@@ -111,7 +111,7 @@ impl Reader<'_> {
         let object = if alone && matches!(rel, Rel::Near | Rel::Above) { self.ground(object) } else { object };
         let object =
             if matches!(rel, Rel::LeftOf | Rel::RightOf | Rel::Beside) { self.on_the_same(object) } else { object };
-        let object = self.on_rug(object, rel);
+        let object = self.on_rug(&object, rel);
         if object.is_empty() {
             return;
         }
@@ -342,7 +342,7 @@ impl Reader<'_> {
     }
 
     /// "A table and a rug under it. Four chairs surround it": what stands on the rug, where nothing is said to lie on that.
-    pub(super) fn on_rug(&self, object: Vec<usize>, rel: Rel) -> Vec<usize> {
+    pub(super) fn on_rug(&self, object: &[usize], rel: Rel) -> Vec<usize> {
         const ASIDE: [Rel; 8] =
             [Rel::Around, Rel::Beside, Rel::Near, Rel::InFrontOf, Rel::Behind, Rel::LeftOf, Rel::RightOf, Rel::Facing];
         let over = |rug: usize| {
@@ -353,7 +353,7 @@ impl Reader<'_> {
         };
         let is_flat = |o: usize| self.brief.things[o].group == Group::Flat;
         let mut out: Vec<usize> = Vec::new();
-        for o in &object {
+        for o in object {
             let o = over(*o).filter(|_| ASIDE.contains(&rel) && is_flat(*o)).unwrap_or(*o);
             if !out.contains(&o) {
                 out.push(o);

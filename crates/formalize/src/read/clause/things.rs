@@ -265,7 +265,7 @@ impl Reader<'_> {
         match self.s.expect.clone() {
             Expect::Object(rel) if !self.main.is_empty() => {
                 let of = self.main.clone();
-                let dir = if dir == of { self.their(word, false) } else { self.on_rug(dir, rel) };
+                let dir = if dir == of { self.their(word, false) } else { self.on_rug(&dir, rel) };
                 self.relate(&of, rel, &dir);
                 self.s.expect = Expect::Nothing;
             }
