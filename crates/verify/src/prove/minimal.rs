@@ -299,14 +299,14 @@ impl<'a> Prover<'a> {
     }
 
     /// A minimal set among these that cannot hold together, if one is found: one that rests on usual sizes or shapes only where
-    /// there is no other, and one that rests on things being upright where it is smaller than any other.
+    /// there is no other, and one that rests on things being upright only where any other is more than twice as large.
     fn contradiction(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
         let found = self.minimal(among, part)?;
         let Some(usual) = self.usual.take() else { return Some(found) };
         let strictly = self.minimal(if found.as_usual { among } else { &found.statements }, part);
         self.usual = Some(usual);
         let assumes = !found.sizes.is_empty() || found.shapes;
-        let is_better = |other: &Contradiction| assumes || other.statements.len() <= found.statements.len();
+        let is_better = |other: &Contradiction| assumes || other.statements.len() <= 2 * found.statements.len();
         Some(strictly.filter(is_better).unwrap_or(found))
     }
 
