@@ -254,7 +254,7 @@ fn aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A cake display next to the till": next to the counter on which it stands.
+/// "A cake display next to the till": next to the counter, on which the till stands.
 fn at_the_till(tokens: &mut Vec<Token>, i: usize) -> bool {
     let near = matches!(word(tokens, i), "to" | "beside" | "by" | "near" | "behind") && word(tokens, i + 1) == "the";
     let cash = word(tokens, i + 2) == "cash" && word(tokens, i + 3) == "register";
@@ -264,7 +264,9 @@ fn at_the_till(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !near || !till || again || !ends(tokens, end) {
         return false;
     }
-    put(tokens, i + 2, end, &["counter"]);
+    let till: Vec<Token> = tokens[i + 2..end].to_vec();
+    put(tokens, i + 2, end, &["counter", "with", "a"]);
+    tokens.splice(i + 5..i + 5, till);
     true
 }
 
@@ -292,7 +294,7 @@ mod tests {
                 "an office for two people with two desks against opposite walls .",
             ),
             ("a grocery with five aisles and a till.", "a grocery with five rows of shelves and a till ."),
-            ("a cake display next to the till.", "a cake display next to the counter ."),
+            ("a cake display next to the till.", "a cake display next to the counter with a till ."),
             ("a bowl with fruit on the table.", "a bowl with fruit on the table ."),
         ] {
             assert_eq!(paraphrase::plainly(text), becomes);
