@@ -21,6 +21,10 @@ impl Truths<f64> for Ran<'_> {
     }
 }
 
+/// Where more objects than these go along in a trial, as the goods in a row of shelves do, each more takes this work.
+const FEW: u64 = 16;
+const EACH_MORE: u64 = 12;
+
 impl Trial<'_> {
     /// By how much a trial costs more than what was before; `None`: more than `limit`.
     pub fn judge(&mut self, limit: f64) -> Option<f64> {
@@ -35,6 +39,8 @@ impl Trial<'_> {
 
     fn judge_moved(&mut self, moved: &[Moved], variables: &[MovedVariable], limit: f64) -> Option<f64> {
         let mut delta = 0.0;
+        // What is counted elsewhere is the cost of one object, or of a few.
+        self.work += (moved.len() as u64).saturating_sub(FEW) * EACH_MORE;
         for &(i, ..) in moved {
             let id = ObjectId(i as u32);
             delta -= self.before(self.numbering.bounds(id));
@@ -169,7 +175,7 @@ impl Trial<'_> {
             return sum;
         }
         for k in 0..self.count() {
-            if !self.raised[k] || !self.rests[k] || moved.iter().any(|(m, ..)| *m == k) {
+            if !self.raised[k] || !self.rests[k] || self.is_moved[k] {
                 continue;
             }
             let span = self.span[k];
@@ -190,7 +196,7 @@ impl Trial<'_> {
         let mut sum = 0.0;
         for at in 0..self.onlookers.len() {
             let t = self.onlookers[at];
-            let own = |o: &ObjectId| moved.iter().any(|(m, ..)| *m == o.0 as usize);
+            let own = |o: &ObjectId| self.is_moved[o.0 as usize];
             let judged = self.stamp[t] == self.now && self.variables.are_moving;
             if judged || !self.counts(t) || self.frame.terms[t].objects.iter().any(own) {
                 continue;
@@ -208,6 +214,8 @@ impl Trial<'_> {
         let moved = std::mem::take(&mut self.moved);
         for &(i, ..) in &moved {
             self.near.set(i, &self.span[i]);
+        }
+        for &(i, ..) in &moved {
             for j in std::mem::take(&mut self.hits[i]) {
                 self.hits[j].retain(|k| *k != i);
                 self.set(self.numbering.collide(ObjectId(i as u32), ObjectId(j as u32)), 0.0, true);
@@ -216,7 +224,8 @@ impl Trial<'_> {
             let raised = on_something || self.container[i].is_some();
             self.raised_count = self.raised_count + usize::from(raised) - usize::from(self.raised[i]);
             self.raised[i] = raised;
-            self.seat[i] = self.container[i].or_else(|| if raised { self.find_seat(i) } else { None });
+            let seat = self.container[i].or_else(|| if raised { self.find_seat(i) } else { None });
+            self.sit(i, seat);
         }
         self.paths_keep(&moved);
         let fresh = std::mem::take(&mut self.fresh);
@@ -228,10 +237,26 @@ impl Trial<'_> {
             }
         }
         self.fresh = fresh;
+        moved.iter().for_each(|&(i, ..)| self.is_moved[i] = false);
         self.moved = moved;
         self.moved.clear();
         self.leaned.clear();
         self.variables.moved.clear();
+    }
+
+    /// An object stands on another from now on, or on none.
+    fn sit(&mut self, i: usize, seat: Option<usize>) {
+        let old = std::mem::replace(&mut self.seat[i], seat);
+        if old == seat {
+            return;
+        }
+        if let Some(old) = old {
+            self.riders[old].retain(|k| *k != i);
+        }
+        if let Some(new) = seat {
+            let at = self.riders[new].partition_point(|k| *k < i);
+            self.riders[new].insert(at, i);
+        }
     }
 
     /// Whether a check holds, as last judged.
@@ -272,6 +297,7 @@ impl Trial<'_> {
         self.hits.iter_mut().for_each(Vec::clear);
         self.near.clear();
         self.moved = (0..self.count()).map(|i| (i, self.inputs(i), self.span[i])).collect();
+        self.is_moved.fill(true);
         self.all_variables_move();
         for i in 0..self.count() {
             self.put(i, self.inputs(i));

@@ -210,8 +210,12 @@ pub struct Trial<'a> {
     raised_count: usize,
     /// By object: what it stands on, if that is not a floor.
     seat: Vec<Option<usize>>,
+    /// By object: what stands on it, in order.
+    riders: Vec<Vec<usize>>,
     /// What has moved in the trial, and where it was.
     pub moved: Vec<Moved>,
+    /// By object: whether it is among these.
+    is_moved: Vec<bool>,
     /// What the trial changed: check, cost, whether it holds.
     pub fresh: Vec<(usize, f64, bool)>,
     /// Room for a list of what is around something.
@@ -304,6 +308,8 @@ impl<'a> Trial<'a> {
             raised: vec![false; n],
             raised_count: 0,
             seat: vec![None; n],
+            riders: vec![Vec::new(); n],
+            is_moved: vec![false; n],
             doors,
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,
             reluctance: vec![0.0; n],
@@ -340,6 +346,7 @@ impl<'a> Trial<'a> {
             self.obey(rule, 0);
         }
         self.moved.clear();
+        self.is_moved.fill(false);
         self.leaned.clear();
         let n = self.size.len();
         self.followers = self.frame.objects().map(|id| self.followers_of(id)).collect();

@@ -76,7 +76,9 @@ impl Trial<'_> {
         let old = self.inputs(i);
         self.shift(i, inputs);
         if self.raised_count > 0 && depth < HIGH {
-            for k in (0..self.count()).filter(|&k| self.seat[k] == Some(i)).collect::<Vec<_>>() {
+            // What stands on what changes only when a trial is kept.
+            for at in 0..self.riders[i].len() {
+                let k = self.riders[i][at];
                 if self.is_movable(k) {
                     self.take(k, carried(&old, &inputs, &self.inputs(k)), depth + 1);
                 }
@@ -122,7 +124,7 @@ impl Trial<'_> {
     }
 
     pub(super) fn shift(&mut self, i: usize, inputs: Inputs) {
-        if !self.moved.iter().any(|(o, ..)| *o == i) {
+        if !std::mem::replace(&mut self.is_moved[i], true) {
             self.moved.push((i, self.inputs(i), self.span[i]));
         }
         self.put(i, inputs);
@@ -133,6 +135,7 @@ impl Trial<'_> {
         self.undo_variables();
         self.undo_leans();
         while let Some((i, inputs, span)) = self.moved.pop() {
+            self.is_moved[i] = false;
             self.slots.put(ObjectId(i as u32), inputs);
             self.span[i] = span;
             self.near.follow(i, &span);

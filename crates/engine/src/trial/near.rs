@@ -91,6 +91,16 @@ impl Near {
         looked
     }
 
+    /// Objects that may be over a point of the floor, as far as they have not moved in a trial; `None`: all may be, as there are
+    /// few.
+    pub fn at(&self, [x, z]: [f64; 2]) -> Option<&[usize]> {
+        if self.row.is_some() {
+            return None;
+        }
+        let [[column, line], _] = self.range(&Span { min: [x, 0.0, z], max: [x, 0.0, z] });
+        self.cells.get(line * self.size[0] + column).map(Vec::as_slice)
+    }
+
     fn range(&self, span: &Span) -> [[usize; 2]; 2] {
         let cell = |k: usize, at: f64| (((at - self.from[k]) / self.cell).max(0.0) as usize).min(self.size[k] - 1);
         [(0, 0), (1, 2)].map(|(k, axis)| [cell(k, span.min[axis]), cell(k, span.max[axis])])

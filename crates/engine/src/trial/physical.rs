@@ -52,7 +52,14 @@ impl Trial<'_> {
         let own = self.flat(i);
         let [x, z] = own.at;
         let mut best: Option<(usize, f64)> = None;
-        for j in 0..self.count() {
+        let found = self.near.at([x, z]).map(|there| {
+            let mut found: Vec<usize> = there.iter().copied().chain(self.moved.iter().map(|(m, ..)| *m)).collect();
+            found.sort_unstable();
+            found.dedup();
+            found
+        });
+        let count = found.as_ref().map_or(self.count(), Vec::len);
+        for j in (0..count).map(|at| found.as_ref().map_or(at, |found| found[at])) {
             let other = &self.span[j];
             if j == i
                 || !(other.min[0]..=other.max[0]).contains(&x)
@@ -87,7 +94,8 @@ impl Trial<'_> {
     pub(super) fn find_seat(&self, i: usize) -> Option<usize> {
         let (support, target) = (self.tolerances.support, self.tolerances.contact);
         let raised = self.rests[i] && self.above_floor(i) > support;
-        self.nearest_top(i).filter(|(_, off)| raised && *off <= support.max(target)).map(|(j, _)| j)
+        let top = if raised { self.nearest_top(i) } else { None };
+        top.filter(|(_, off)| *off <= support.max(target)).map(|(j, _)| j)
     }
 
     /// Whether the evaluator is asked for the physical rules of an object.
@@ -106,10 +114,10 @@ impl Trial<'_> {
         let own = self.span[i];
         let mut around = std::mem::take(&mut self.around);
         self.work += 2 + self.near.around(&own, &self.span, &mut around) as u64 / 8;
-        let moves = |j: usize| moved.iter().any(|(m, ..)| *m == j);
+        around.retain(|&j| !self.is_moved[j]);
         // Of two that move together the first is asked for both.
         let others = moved.iter().map(|(m, ..)| *m).filter(|&m| m > i);
-        let sum = around.iter().copied().filter(|&j| !moves(j)).chain(others).map(|j| self.collision(i, j, &own)).sum();
+        let sum = around.iter().copied().chain(others).map(|j| self.collision(i, j, &own)).sum();
         self.around = around;
         sum
     }

@@ -160,9 +160,12 @@ pub fn refine(brief: &mut Brief) {
         let said = thing.look.features.iter();
         let said = said.map(|feature| format!("{} {plain}", feature.replace('-', " ")));
         let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
+        let is_on = |fact: &Fact| fact.of.contains(&at) && matches!(fact.what, FactKind::Rel(Rel::On, _));
+        let rests = brief.facts.iter().any(is_on);
         let meant = |name: &str| {
             let (_, noun) = kind?.means.iter().find(|(said, _)| *said == name)?;
-            known(noun).then(|| (*noun).to_owned())
+            // "A cash register on a counter" is no till that stands on the floor.
+            (known(noun) && !(rests && stand::group(noun) != Group::Top)).then(|| (*noun).to_owned())
         };
         // "A double sink" has a name of its own, or one in such a room.
         let named = |(at, name): (usize, String)| match meant(&name) {

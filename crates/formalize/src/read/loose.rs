@@ -245,7 +245,8 @@ fn back_to_back(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "A grocery with five aisles": with so many rows of shelves.
 fn aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some((_, used)) = tokens.get(i..).and_then(number::count) else { return false };
-    let said = word(tokens, i + used) == "aisles" && i > 0 && matches!(word(tokens, i - 1), "with" | "has" | "and");
+    let said =
+        word(tokens, i + used) == "aisles" && i > 0 && matches!(word(tokens, i - 1), "with" | "has" | "and" | ",");
     let stands = tokens.iter().any(|t| matches!(t.text.as_str(), "shelves" | "racks" | "rows" | "gondolas"));
     if !said || stands || !ends(tokens, i + used + 1) {
         return false;
