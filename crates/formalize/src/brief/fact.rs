@@ -191,6 +191,10 @@ pub enum Pattern {
     Stacked,
     /// Each with room for its doors, drawers and lids.
     Opens,
+    /// The same for its doors and lids, to so many degrees.
+    OpensBy(u32),
+    /// The same for its drawers, so many centimetres out.
+    SlidesBy(u32),
 }
 
 /// How a measure binds.

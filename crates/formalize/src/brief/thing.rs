@@ -199,7 +199,40 @@ impl Pick {
     }
 }
 
+/// What furniture has doors, drawers or lids, by its last word: of other things nothing opens, whatever a request says.
+const OPENING: [&str; 24] = [
+    "armoire",
+    "cabinet",
+    "chest",
+    "closet",
+    "credenza",
+    "cupboard",
+    "desk",
+    "dishwasher",
+    "drawers",
+    "dresser",
+    "dryer",
+    "freezer",
+    "fridge",
+    "locker",
+    "microwave",
+    "nightstand",
+    "oven",
+    "refrigerator",
+    "sideboard",
+    "stove",
+    "toilet",
+    "vitrine",
+    "wardrobe",
+    "washer",
+];
+
 impl Thing {
+    /// Whether it is furniture with doors, drawers or a lid.
+    pub fn has_doors(&self) -> bool {
+        self.words.last().is_some_and(|word| OPENING.contains(&word.as_str()))
+    }
+
     /// Whether so many people sit at each of several tables: "six tables for eight". More are all of them together.
     pub fn seats_each(&self) -> bool {
         const AT_ONE: usize = 12;

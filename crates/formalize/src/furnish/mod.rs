@@ -95,9 +95,11 @@ fn usual_area(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> f64 {
     scale * brief.rooms[at].people.map_or(usual, more)
 }
 
+/// What a kitchen is called whose worktops have the shape of a letter.
+const SHAPES: [(&str, &str); 2] = [("l", "corner kitchen"), ("u", "bay kitchen")];
+
 /// An L- or U-shaped kitchen is a kitchen whose worktops turn a corner.
 fn shaped(brief: &mut Brief) {
-    const SHAPES: [(&str, &str); 2] = [("l", "corner kitchen"), ("u", "bay kitchen")];
     for room in brief.rooms.iter_mut().filter(|room| room.name == "kitchen") {
         let said = brief.request.get(room.source.at()).unwrap_or("").to_lowercase();
         let is = |letter: &str| [" ", "-"].iter().any(|mark| said.contains(&format!("{letter}{mark}shaped")));
@@ -135,6 +137,7 @@ pub fn refine(brief: &mut Brief) {
     named(brief);
     team(brief);
     stools_at_counter(brief);
+    shaped_counter(brief);
     worktop(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
@@ -190,6 +193,33 @@ pub fn refine(brief: &mut Brief) {
                 brief.things[at].group = group;
             }
         }
+    }
+}
+
+/// "A kitchen with an L-shaped counter": the worktops of such a kitchen turn a corner, with its appliances between them.
+fn shaped_counter(brief: &mut Brief) {
+    let is_told = |brief: &Brief, at: usize| {
+        let mut facts = brief.facts.iter();
+        facts.any(|fact| fact.of.contains(&at) || fact.what.objects().unwrap_or_default().contains(&at))
+    };
+    let mut gone = Vec::new();
+    for at in 0..brief.things.len() {
+        let thing = &brief.things[at];
+        let shape = SHAPES.iter().find(|(letter, _)| {
+            let shaped = format!("{letter}-shaped");
+            thing.look.features.contains(&shaped)
+        });
+        let is_worktop =
+            matches!(&thing.words[..], [word] if matches!(word.as_str(), "counter" | "worktop" | "countertop"));
+        let room = brief.rooms.get(thing.room).filter(|room| room.name == "kitchen");
+        if let (Some((_, kind)), true, Some(_), false) = (shape, is_worktop, room, is_told(brief, at)) {
+            let room = thing.room;
+            (*kind).clone_into(&mut brief.rooms[room].name);
+            gone.push(at);
+        }
+    }
+    if !gone.is_empty() {
+        brief.remove(&gone);
     }
 }
 

@@ -125,6 +125,9 @@ fn piece(tokens: &[Token], at: usize, before: &[Chunk]) -> (ChunkPiece, usize) {
     if let Some((np, used)) = bounded(rest) {
         return (ChunkPiece::Np(Box::new(np)), used);
     }
+    if let Some((pattern, used)) = super::opening::by(rest) {
+        return (ChunkPiece::Pattern(pattern), used);
+    }
     let sized = || measured(rest).or_else(|| fixed(rest));
     if let Some(found) = sized().or_else(|| rows(rest).map(|(rows, used)| (ChunkPiece::Pattern(rows), used))) {
         return found;

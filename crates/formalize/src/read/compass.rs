@@ -4,11 +4,13 @@
 use super::lexicon::get;
 use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
+use crate::brief::Group;
 use crate::furnish::kinds;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] = [corner, facing, side, along_side, on_the_left, away];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] =
+        [corner, facing, side, along_side, on_the_left, away, corner_of_table];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -21,6 +23,22 @@ fn on_plan(word: &str) -> Option<&'static str> {
         "west" | "western" => "left",
         _ => return None,
     })
+}
+
+/// "A lamp at the corner of the desk": on it; a thing on the floor stands beside it.
+fn corner_of_table(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let at = match word(tokens, i) {
+        "on" | "in" => "on",
+        "at" | "by" | "near" => "beside",
+        _ => return false,
+    };
+    let corner = matches!(word(tokens, i + 1), "the" | "a" | "one") && word(tokens, i + 2) == "corner";
+    let of = corner && word(tokens, i + 3) == "of" && matches!(word(tokens, i + 4), "the" | "a" | "its");
+    let table = get().noun(word(tokens, i + 5)).is_some_and(|group| group == Group::Table);
+    if of && table {
+        put(tokens, i, i + 4, &[at]);
+    }
+    of && table
 }
 
 /// "The southeast corner": the front right corner.
@@ -174,6 +192,9 @@ mod tests {
             ("a lamp on the left side of the desk.", "a lamp on the left side of the desk ."),
             ("fridges along the right side and a till.", "fridges along the right wall and a till ."),
             ("a bed with lamps on both sides.", "a bed with lamps on both sides ."),
+            ("a vase on the corner of the table.", "a vase on the table ."),
+            ("a lamp at the corner of the desk.", "a lamp beside the desk ."),
+            ("a chair in the corner of the office.", "a chair in the corner of the office ."),
             ("the sink is on the left.", "the sink is to the left as you come in ."),
             (
                 "the sofa is on the left and the desk is on the right.",

@@ -51,22 +51,6 @@ pub(super) fn ring(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A kitchen with an L-shaped counter": a kitchen whose worktops turn a corner.
-pub(super) fn shaped_counter(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if word(tokens, i) != "kitchen" || word(tokens, i + 1) != "with" || !matches!(word(tokens, i + 2), "a" | "an") {
-        return false;
-    }
-    let is_shaped = matches!(word(tokens, i + 3), "l-shaped" | "u-shaped");
-    if !is_shaped || !matches!(word(tokens, i + 4), "counter" | "worktop" | "countertop" | "run" | "unit" | "layout") {
-        return false;
-    }
-    // What follows is said of the kitchen.
-    let goes_on = tokens.get(i + 5).is_some_and(|t| t.is("and") || t.kind == WordKind::Sign(','));
-    let and = usize::from(goes_on);
-    put(tokens, i, i + 5 + and, if goes_on { &["kitchen", "with"] } else { &["kitchen"] });
-    true
-}
-
 /// "A nurse station with a desk" is a room where a request begins with it; elsewhere it is a desk.
 pub(super) fn nurse_station(tokens: &mut Vec<Token>, i: usize) -> bool {
     let begins = i == 1 && matches!(word(tokens, 0), "a" | "the");

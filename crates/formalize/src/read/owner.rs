@@ -6,13 +6,15 @@ use super::token::Token;
 use crate::furnish::kinds;
 
 /// Places that a thing has.
-const PLACES: [&str; 14] = [
+const PLACES: [&str; 17] = [
     "foot", "head", "side", "sides", "end", "ends", "edge", "center", "centre", "middle", "front", "back", "left",
-    "right",
+    "right", "wall", "walls", "corner",
 ];
 /// What may stand before a place: "the table's long side".
-const BEFORE: [&str; 12] =
-    ["left", "right", "long", "short", "far", "near", "other", "front", "back", "longer", "shorter", "opposite"];
+const BEFORE: [&str; 16] = [
+    "north", "south", "east", "west", "left", "right", "long", "short", "far", "near", "other", "front", "back",
+    "longer", "shorter", "opposite",
+];
 /// The most words between "the" and the end of what has the place.
 const MOST: usize = 4;
 

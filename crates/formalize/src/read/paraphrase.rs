@@ -9,10 +9,12 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 57] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 58] = [
             super::spelling::plain,
             super::loose::plain,
             super::compass::plain,
+            super::opening::plain,
+            super::fronted::plain,
             apart,
             together,
             each_other,
@@ -30,7 +32,6 @@ pub fn plain(tokens: &mut Vec<Token>) {
             distance,
             meant::walls,
             meant::ring,
-            meant::shaped_counter,
             meant::basement,
             meant::nurse_station,
             meant::with_children,

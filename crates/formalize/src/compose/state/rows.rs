@@ -7,34 +7,6 @@ use crate::compose::grid::{self, Grid};
 use crate::furnish::kinds;
 use crate::write::number;
 
-/// What furniture has doors, drawers or lids, by its last word: of other things nothing opens, whatever a request says.
-const OPENING: [&str; 24] = [
-    "armoire",
-    "cabinet",
-    "chest",
-    "closet",
-    "credenza",
-    "cupboard",
-    "desk",
-    "dishwasher",
-    "drawers",
-    "dresser",
-    "dryer",
-    "freezer",
-    "fridge",
-    "locker",
-    "microwave",
-    "nightstand",
-    "oven",
-    "refrigerator",
-    "sideboard",
-    "stove",
-    "toilet",
-    "vitrine",
-    "wardrobe",
-    "washer",
-];
-
 /// So many form a circle by themselves, with this much between two of them and at least this radius (metres).
 const RING: std::ops::RangeInclusive<usize> = 3..=12;
 const IN_RING: f64 = 0.3;
@@ -66,9 +38,14 @@ impl Named<'_> {
         let of = self.name(a);
         let n = self.counts[a];
         let elements = self.elements(a);
-        if pattern == Pattern::Opens {
-            let opens = self.brief.things[a].words.last().is_some_and(|word| OPENING.contains(&word.as_str()));
-            return opens.then(|| self.all(a, |x| format!("opens({x})")));
+        if let Pattern::Opens | Pattern::OpensBy(_) | Pattern::SlidesBy(_) = pattern {
+            let opens = self.brief.things[a].has_doors();
+            let said = |x: &str| match pattern {
+                Pattern::OpensBy(degrees) => format!("opens({x}, {degrees}deg)"),
+                Pattern::SlidesBy(centimetres) => format!("slides({x}, {})", number(f64::from(centimetres) / 100.0)),
+                _ => format!("opens({x})"),
+            };
+            return opens.then(|| self.all(a, said));
         }
         // Who works at desks that face each other sits at their outer sides.
         let desks = self.brief.things[a].words.last().is_some_and(|w| w == "desk" || w == "workstation");
@@ -142,7 +119,7 @@ impl Named<'_> {
                 n / 2
             ),
             Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
-            Pattern::Opens => return None,
+            Pattern::Opens | Pattern::OpensBy(_) | Pattern::SlidesBy(_) => return None,
         })
     }
 

@@ -59,8 +59,14 @@ impl Reader<'_> {
     pub(super) fn on_with(&mut self, i: usize, end: usize) -> usize {
         let chunks = self.chunks;
         let seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
+        // "a wardrobe with two doors"
+        let has_doors = |o: &usize| {
+            let thing = &self.brief.things[*o];
+            thing.has_doors() || thing.words.last().is_some_and(|w| matches!(w.as_str(), "car" | "van" | "truck"))
+        };
         let with_back = self.np(i + 1, end).is_some_and(|n| {
             !self.near.is_empty() && part_of_it(n)
+                || n.group == Some(Group::Door) && n.many && self.near.last().is_some_and(has_doors)
                 || n.kind == NounKind::Thing
                     && n.count.is_none()
                     && (get().part(&n.head())
@@ -212,7 +218,8 @@ impl Reader<'_> {
 pub(super) fn part_of_it(np: &Np) -> bool {
     const BUILT_IN: [&str; 5] = ["built-in", "integrated", "integral", "inset", "in-built"];
     // Of these, several are said of one thing.
-    const COUNTED: [&str; 8] = ["drawer", "leg", "wheel", "castor", "compartment", "handle", "cubby", "knob"];
+    const COUNTED: [&str; 10] =
+        ["drawer", "leg", "wheel", "castor", "compartment", "handle", "cubby", "knob", "burner", "hook"];
     let head = np.head();
     match np.kind {
         NounKind::Thing if np.look.features.iter().any(|f| BUILT_IN.contains(&f.as_str())) => {
