@@ -2,7 +2,7 @@
 
 use super::facts::Facts;
 use super::scope::{Binder, Scopes};
-use crate::ast::{ExprId, ExprKind, Stmt};
+use crate::ast::{BinaryOp, ExprId, ExprKind, Stmt};
 use crate::check::constant;
 use crate::items::ItemKind;
 use rustc_hash::FxHashSet;
@@ -13,17 +13,24 @@ use smol_str::SmolStr;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Indexing {
     /// The arrays that it indexes, each once.
-    pub arrays: Vec<SmolStr>,
-    /// From this index.
-    lo: u32,
-    /// Up to, but not including, this one.
-    hi: u32,
-    /// Where both are written.
+    pub arrays: Vec<Indexed>,
+    /// Where the ends of the range are written.
     at: [TextRange; 2],
 }
 
+/// The elements of an array that a quantifier goes through.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Indexed {
+    name: SmolStr,
+    /// From this index up to, but not including, that one.
+    lo: u32,
+    hi: u32,
+    /// How much more than the variable the least and the greatest index are.
+    off: [i64; 2],
+}
+
 /// The quantifiers of a statement that go through indices, and the elements that it names: array and index. Where a variable
-/// is part of an index (`seat[i + 1]`) or of the range of another variable, the range may be shorter for good reason.
+/// is part of the range of another variable, the range may be shorter for good reason.
 pub fn of(stmt: &Stmt, scopes: &Scopes<'_>) -> (Vec<Indexing>, Vec<(SmolStr, u32)>) {
     let (mut found, mut elements) = (Vec::new(), Vec::new());
     let free = |id: ExprId| match &stmt.expr(id).kind {
@@ -42,9 +49,9 @@ pub fn of(stmt: &Stmt, scopes: &Scopes<'_>) -> (Vec<Indexing>, Vec<(SmolStr, u32
                     constant::number(stmt, id).filter(|n| n.fract() == 0.0 && (0.0..1e6).contains(n)).map(|n| n as u32)
                 };
                 let (Some(from), Some(to)) = (whole(*lo), whole(*hi)) else { continue };
-                if let Some(arrays) = indexed(stmt, scopes, *id) {
+                if let Some(arrays) = indexed(stmt, scopes, *id, [from, to]) {
                     let at = [*lo, *hi].map(|id| stmt.expr(id).range);
-                    found.push(Indexing { arrays, lo: from, hi: to, at });
+                    found.push(Indexing { arrays, at });
                 }
             }
             _ => {}
@@ -53,25 +60,39 @@ pub fn of(stmt: &Stmt, scopes: &Scopes<'_>) -> (Vec<Indexing>, Vec<(SmolStr, u32
     (found, elements)
 }
 
-/// The arrays that the variable of a quantifier indexes, if that is all that it is used for.
-fn indexed(stmt: &Stmt, scopes: &Scopes<'_>, quantifier: ExprId) -> Option<Vec<SmolStr>> {
+/// The arrays that the variable of a quantifier indexes (`seat[i]`, `seat[i + 1]`), if that is all that it is used for.
+fn indexed(stmt: &Stmt, scopes: &Scopes<'_>, quantifier: ExprId, [lo, hi]: [u32; 2]) -> Option<Vec<Indexed>> {
     let is_variable = |id: ExprId| scopes.binder(id) == Some(Binder::Quantifier(quantifier));
-    let mut arrays: Vec<SmolStr> = Vec::new();
+    let whole = |id: ExprId| constant::number(stmt, id).filter(|n| n.fract() == 0.0 && n.abs() < 1e6).map(|n| n as i64);
+    let offset = |index: ExprId| match &stmt.expr(index).kind {
+        _ if is_variable(index) => Some(0),
+        ExprKind::Binary(BinaryOp::Add, _, a, b) if is_variable(*a) => whole(*b),
+        ExprKind::Binary(BinaryOp::Add, _, a, b) if is_variable(*b) => whole(*a),
+        ExprKind::Binary(BinaryOp::Sub, _, a, b) if is_variable(*a) => whole(*b).map(|n| -n),
+        _ => None,
+    };
+    let mut arrays: Vec<(SmolStr, [i64; 2])> = Vec::new();
     let (mut uses, mut plain) = (0, 0);
     for id in &scopes.order {
         uses += usize::from(is_variable(*id));
         if let ExprKind::Index(array, index) = &stmt.expr(*id).kind
-            && is_variable(*index)
+            && let Some(off) = offset(*index)
             && let ExprKind::Name(name) = &stmt.expr(*array).kind
             && scopes.binder(*array).is_none()
         {
             plain += 1;
-            if !arrays.contains(name) {
-                arrays.push(name.clone());
+            match arrays.iter_mut().find(|(known, _)| known == name) {
+                Some((_, [least, most])) => (*least, *most) = ((*least).min(off), (*most).max(off)),
+                None => arrays.push((name.clone(), [off; 2])),
             }
         }
     }
-    (plain > 0 && uses == plain).then_some(arrays)
+    let elements = |(name, off): (SmolStr, [i64; 2])| {
+        let ends = [i64::from(lo) + off[0], i64::from(hi) + off[1]].map(u32::try_from);
+        let [Ok(lo), Ok(hi)] = ends else { return None };
+        Some(Indexed { name, lo, hi, off })
+    };
+    (plain > 0 && uses == plain && lo < hi).then(|| arrays.into_iter().map(elements).collect())?
 }
 
 /// Looks at all statements of the main file. An element that is named anywhere is not forgotten, and a range that goes
@@ -86,34 +107,39 @@ pub fn check(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
         _ => None,
     };
     for linted in facts.statements.iter().filter(|s| s.sound && s.place.file == facts.main) {
-        for Indexing { arrays, lo, hi, at } in &linted.uses.indexing {
-            let lengths: Vec<u32> = arrays.iter().filter_map(length).collect();
-            if lengths.len() != arrays.len() || lengths.iter().any(|n| *lo == 0 && hi == n) {
+        for Indexing { arrays, at } in &linted.uses.indexing {
+            let lengths: Vec<(&Indexed, u32)> =
+                arrays.iter().filter_map(|array| Some((array, length(&array.name)?))).collect();
+            if lengths.len() != arrays.len() || lengths.iter().any(|(it, n)| it.lo == 0 && it.hi == *n) {
                 continue;
             }
-            let left_out = arrays.iter().zip(&lengths).find_map(|(array, n)| match (*lo, *hi) {
+            let left_out = lengths.iter().find_map(|(it, n)| match (it.lo, it.hi) {
                 _ if *n < 3 => None,
-                (0, hi) if hi + 1 == *n => Some((array, hi, "last", n)),
-                (1, hi) if hi == *n => Some((array, 0, "first", n)),
+                (0, hi) if hi + 1 == *n => Some((*it, hi, "last", *n)),
+                (1, hi) if hi == *n => Some((*it, 0, "first", *n)),
                 _ => None,
             });
-            let Some((array, index, which, n)) = left_out else { continue };
+            let Some((it, index, which, n)) = left_out else { continue };
             // Another range that is for this end of the array.
-            let other = |it: &Indexing| {
-                it.arrays.contains(array) && (it.lo..it.hi).contains(&index) && 2 * it.hi.saturating_sub(it.lo) <= *n
+            let other = |other: &Indexed| {
+                let few = 2 * other.hi.saturating_sub(other.lo) <= n;
+                other.name == it.name && (other.lo..other.hi).contains(&index) && few
             };
-            let elsewhere = facts.statements.iter().flat_map(|s| &s.uses.indexing).any(other);
-            if elsewhere || named.contains(&(array.clone(), index)) {
+            let mut elsewhere = facts.statements.iter().flat_map(|s| &s.uses.indexing).flat_map(|other| &other.arrays);
+            if elsewhere.any(other) || named.contains(&(it.name.clone(), index)) {
                 continue;
             }
             let end = at[usize::from(index > 0)];
             let Some(place) = linted.place.span(end) else { continue };
-            let message = format!("this range leaves out `{array}[{index}]`, the {which} of {n}");
-            let mended = if index > 0 { n.to_string() } else { "0".to_owned() };
+            let message = format!("this range leaves out `{}[{index}]`, the {which} of {n}", it.name);
+            let mended = if index > 0 { i64::from(n) - it.off[1] } else { -it.off[0] };
             let d = Diagnostic::new(codes::W0307, place, message)
                 .note("`lo..hi` contains the whole numbers from lo up to, but not including, hi; indices begin at 0");
-            let title = format!("write `{mended}`");
-            out.push(d.fix(Applicability::Unsafe, title, place, mended));
+            if mended < 0 {
+                out.push(d);
+                continue;
+            }
+            out.push(d.fix(Applicability::Unsafe, format!("write `{mended}`"), place, mended.to_string()));
         }
     }
 }
