@@ -7,7 +7,7 @@ use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::coded::Boxes;
 use crate::eval::{EvalError, Truth};
 use crate::number::{Algebra, Number};
-use crate::prove::tape::Term;
+use crate::prove::tape::{Term, any};
 use crate::prove::unknowns::{Unknowns, claimed};
 use crate::vector::V3;
 use crate::world::{ObjectInstance, RegionInstance};
@@ -15,6 +15,9 @@ use scenelang_lang::program::{Program, Unit};
 use scenelang_layout::{Vec2, Vec3};
 
 pub(super) struct Connects;
+
+/// What rounding of a place may cost in a proof (metres).
+const ROUNDING: f64 = 1e-6;
 
 impl Semantics for Connects {
     type Yields<N: Algebra> = Truth<N>;
@@ -45,12 +48,24 @@ impl Semantics for Connects {
     }
 
     fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Truth<Term>>, EvalError> {
-        // Of the walls nothing is known, but the door is between floor and ceiling.
         let (_, door) = call.object(0)?;
         let slack = facts.options.tolerances.door + facts.options.tolerances.order;
+        let off = 2.0 * facts.options.eta + slack + ROUNDING;
+        let half = door.axes.0[0].times(door.scale.0[0].scale(0.5));
         let mut follow = Vec::new();
         for index in 1..call.args.len() {
-            follow.extend(heights(door, call.region(index)?.1).map(|height| height.at_least(-slack)));
+            let (region, room) = call.region(index)?;
+            follow.extend(heights(door, room).map(|height| height.at_least(-slack)));
+            if !facts.is_rectangle(region) {
+                continue;
+            }
+            // Of a rectangle, what is near an edge is not far outside, and not far from both pairs of walls.
+            for point in [door.center(), door.center() - half, door.center() + half] {
+                let at = facts.framed(region, point.0[0] - room.pos.0[0], point.0[2] - room.pos.0[2]);
+                let from = [0, 1].map(|i| room.scale.0[2 * i].scale(0.5) - at[i].abs());
+                follow.extend(from.map(|from| from.at_least(-off)));
+                follow.push(any(&from.map(|from| (-from).at_least(-off))));
+            }
         }
         Ok(Some(claimed(facts.open(call.question()?, &follow))))
     }
