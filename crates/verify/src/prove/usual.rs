@@ -7,8 +7,8 @@
 use crate::eval::{cone, objects_of};
 use scenelang_lang::library::usual_size;
 use scenelang_lang::program::{
-    Arith, Axis, Constraint, ConstraintKind, Formula, Function, Node, NodeId, Object, ObjectId, ObjectProperty, Owner,
-    Pinned, Program, RegionId, RegionProperty,
+    Arith, Axis, BuiltIn, Constraint, ConstraintKind, Formula, Function, Node, NodeId, Object, ObjectId,
+    ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty,
 };
 use scenelang_lang::roles::role_of;
 use scenelang_lang::solids::solid_of;
@@ -135,23 +135,46 @@ fn is_relative_formula(constraint: &Constraint) -> bool {
         Node::Region(property, _) => matches!(property, RegionProperty::Pos | RegionProperty::Center),
         _ => false,
     };
-    // A place, or a component of one.
-    let part = |id: NodeId| match formula.node(id) {
-        Node::Component(axis, of) if is_place(*of) => Some(Some(*axis)),
-        _ => is_place(id).then_some(None),
-    };
-    let same_part = |a: NodeId, b: NodeId| matches!((part(a), part(b)), (Some(a), Some(b)) if a == b);
     formula.nodes.iter().all(|node| match node {
-        Node::Arith(Arith::Sub, a, b) | Node::Same(a, b) | Node::Compare(_, _, a, b) if same_part(*a, *b) => true,
+        Node::Arith(Arith::Sub, a, b) | Node::Same(a, b) | Node::Compare(_, _, a, b)
+            if place_in(formula, *a, &is_place).is_some()
+                && place_in(formula, *a, &is_place) == place_in(formula, *b, &is_place) =>
+        {
+            true
+        }
         Node::Call(Function::Distance, points) if points.iter().all(|p| is_place(*p)) => true,
+        // Moved by something that is no place it is a place; and from a place to a wall it is as far wherever both are.
+        Node::Arith(Arith::Add | Arith::Sub, a, b) if place_in(formula, *a, &is_place) == Some(None) => {
+            place_in(formula, *b, &is_place).is_none()
+        }
+        Node::BuiltIn(BuiltIn::Gap, _) => {
+            let mut relative = true;
+            node.for_each_child(|child| relative &= place_in(formula, child, &is_place) == Some(None));
+            relative
+        }
         Node::Component(..) => true,
         Node::SamePolygon(..) => false,
         node => {
             let mut relative = true;
-            node.for_each_child(|child| relative &= matches!(part(child), None | Some(Some(Axis::Y))));
+            node.for_each_child(|child| {
+                relative &= matches!(place_in(formula, child, &is_place), None | Some(Some(Axis::Y)));
+            });
             relative
         }
     })
+}
+
+/// Whether a node is a place, moved or not, or which component of one.
+fn place_in(formula: &Formula, id: NodeId, is_place: &dyn Fn(NodeId) -> bool) -> Option<Option<Axis>> {
+    match formula.node(id) {
+        _ if is_place(id) => Some(None),
+        Node::Component(axis, of) if place_in(formula, *of, is_place) == Some(None) => Some(Some(*axis)),
+        Node::Arith(Arith::Add | Arith::Sub, a, b) => {
+            let is_moved = place_in(formula, *a, is_place) == Some(None) && place_in(formula, *b, is_place).is_none();
+            is_moved.then_some(None)
+        }
+        _ => None,
+    }
 }
 
 /// The members of the top-level conjunctions of a formula; the whole of it where there are many.
