@@ -4,8 +4,11 @@
 //! That they overlap along an axis is known from where each may be: from the walls that they stand at, the zone that they
 //! are in, the narrow room.
 
+use super::interval::Interval;
+use super::narrow::narrow;
 use super::packing::{Between, Packing, PackingRegion, is_upright, known_of, lower, of, short, upper};
-use super::problem::Affine;
+use super::placing::{MadeOf, verdict};
+use super::problem::{Affine, Problem, UnknownKind, Var};
 use super::state::{Conflict, EventId, EventKind, Rule, State};
 use rustc_hash::FxHashMap;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -24,13 +27,29 @@ struct Extent {
     why: Vec<EventId>,
 }
 
-/// One that overlaps all the others of a row along the other axis.
-type Forced = FxHashMap<(usize, usize), Vec<EventId>>;
+/// How two are along one axis, wherever they may be: that decides how they are along the other.
+struct Overlap {
+    /// How far they are from each other along it, at most; 0 where they overlap.
+    off: f64,
+    why: Vec<EventId>,
+}
+
+/// What pairs keep along an axis, beyond touching, and why they are apart along it.
+type Forced = FxHashMap<(usize, usize), (f64, Vec<EventId>)>;
+
+/// What pairs are told to keep is looked for so far beyond touching (metres), in so many steps and parts.
+const FARTHEST: f64 = 8.0;
+const LEAST_TOLD: f64 = 0.01;
+const STEPS: usize = 12;
+const PARTS: usize = 8;
+/// A claim made of more than this says too much to be looked at for a pair alone.
+const MOST_TOLD: usize = 60;
 
 impl Packing<'_> {
     /// Conflicts and bounds from pairs and rows of members that do not overlap, for `reasons`.
     pub(super) fn beside(
         &self,
+        problem: &Problem,
         group: &PackingRegion<Affine>,
         count: &[usize],
         reasons: &[EventId],
@@ -45,9 +64,10 @@ impl Packing<'_> {
             let mut forced = Forced::default();
             for (n, a) in extents.iter().enumerate() {
                 for b in &extents[..n] {
-                    if let Some(why) = self.overlaps(group, [a, b], 1 - axis, state) {
-                        self.apart(group, [a, b], axis, &[reasons, &why].concat(), state)?;
-                        forced.insert((b.member, a.member), why);
+                    if let Some(overlap) = self.overlaps(group, [a, b], 1 - axis, state) {
+                        let kept = self.kept_beside(problem, group, [a, b], axis, overlap, state);
+                        self.apart(group, [a, b], axis, &kept, reasons, state)?;
+                        forced.insert((b.member.min(a.member), b.member.max(a.member)), kept);
                     }
                 }
             }
@@ -75,14 +95,15 @@ impl Packing<'_> {
         Some(Extent { member: index, size: size.map(|s| s - self.contact), bottom, top, why })
     }
 
-    /// Why two overlap in height and along an axis, if they do wherever they may be.
+    /// How two that overlap in height are along an axis wherever they may be, if they overlap there or are nearer than they
+    /// are to be.
     fn overlaps(
         &self,
         group: &PackingRegion<Affine>,
         [a, b]: [&Extent; 2],
         axis: usize,
         state: &State,
-    ) -> Option<Vec<EventId>> {
+    ) -> Option<Overlap> {
         let margin = 2.0 * self.contact;
         let in_height = a.bottom < b.top - margin && b.bottom < a.top - margin;
         let pair = (b.member.min(a.member), b.member.max(a.member));
@@ -91,17 +112,118 @@ impl Packing<'_> {
         }
         let off = group.off(pair)?[axis];
         let least = (a.size[axis] + b.size[axis]) / 2.0;
-        let mut why = [&a.why[..], &b.why].concat();
-        if of(state, off).magnitude() < least {
-            why.extend([lower(state, off), upper(state, off)]);
-            return Some(why);
-        }
         let [p, q] = [a, b].map(|e| group.members[e.member].at[axis]);
-        if (of(state, p) - of(state, q)).magnitude() < least {
+        let of_pair = of(state, off).magnitude() - least;
+        let of_each = (of(state, p) - of(state, q)).magnitude() - least;
+        let mut why = [&a.why[..], &b.why].concat();
+        if of_pair <= of_each {
+            why.extend([lower(state, off), upper(state, off)]);
+        } else {
             why.extend([p, q].iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
-            return Some(why);
         }
-        None
+        let nearest = of_pair.min(of_each);
+        if nearest < 0.0 {
+            return Some(Overlap { off: 0.0, why });
+        }
+        let (space, _) = self.space(group, pair, state);
+        (nearest < space - margin).then_some(Overlap { off: nearest, why })
+    }
+
+    /// How far two are apart along an axis beyond touching, whichever side they are on: of a distance of their surfaces what
+    /// is left where they are off each other along the other axis, or what claims about the two of them leave.
+    fn kept_beside(
+        &self,
+        problem: &Problem,
+        group: &PackingRegion<Affine>,
+        [a, b]: [&Extent; 2],
+        axis: usize,
+        overlap: Overlap,
+        state: &mut State,
+    ) -> (f64, Vec<EventId>) {
+        let pair = (b.member.min(a.member), b.member.max(a.member));
+        let (space, of_space) = self.space(group, pair, state);
+        let left = (space * space - overlap.off * overlap.off).max(0.0).sqrt();
+        let mut why = overlap.why;
+        let least = (a.size[axis] + b.size[axis]) / 2.0;
+        let told = self.told_apart(problem, group, pair, axis, least, state);
+        if let Some((told, of_told)) = told.filter(|(told, _)| overlap.off == 0.0 && *told > left + 3.0 * self.contact)
+        {
+            why.extend(of_told);
+            return (told, why);
+        }
+        why.extend(of_space.filter(|_| left > 0.0));
+        (left, why)
+    }
+
+    /// How far beyond `least` two are apart along an axis by what claims say of how they are off each other, on both sides.
+    fn told_apart(
+        &self,
+        problem: &Problem,
+        group: &PackingRegion<Affine>,
+        pair: (usize, usize),
+        axis: usize,
+        least: f64,
+        state: &mut State,
+    ) -> Option<(f64, Vec<EventId>)> {
+        let off = group.off(pair)?[axis];
+        let speaks = |m: &&MadeOf| {
+            off.var != 0
+                && m.vars.len() <= MOST_TOLD
+                && m.vars.binary_search(&off.var).is_ok()
+                && state.is_true(m.claim)
+        };
+        let told: Vec<&MadeOf> = self.made_of(problem).iter().filter(speaks).collect();
+        if told.is_empty() {
+            return None;
+        }
+        let mut values = vec![Interval::ALL; problem.kinds.len()];
+        let mut work = 0;
+        let mut is_excluded = |part: Interval| {
+            let own = off.solve(part).meet(state.domain[off.var as usize]);
+            own.is_empty()
+                || told.iter().any(|made| {
+                    values[0] = Interval::point(0.0);
+                    work += 1 + made.vars.len() as u64 / 8;
+                    for &var in &made.vars {
+                        let value = |t: &Affine| t.of(values[t.var as usize]);
+                        let domain = state.domain[var as usize];
+                        values[var as usize] = match &problem.kinds[var as usize] {
+                            _ if var == off.var => own,
+                            UnknownKind::Apply(function, a, b) => narrow(*function, domain, value(a), value(b))[0],
+                            _ => domain,
+                        };
+                    }
+                    verdict(problem, made.claim, &values) == Some(false)
+                })
+        };
+        let mut excludes = |from: f64, to: f64| {
+            let step = (to - from) / PARTS as f64;
+            (0..PARTS).all(|i| {
+                let (lo, hi) = (from + step * i as f64, from + step * (i + 1) as f64);
+                let hi = if i + 1 == PARTS { to } else { hi };
+                is_excluded(Interval::new(lo, hi)) && is_excluded(Interval::new(-hi, -lo))
+            })
+        };
+        // Where they touch or overlap they are not, anyway.
+        let from = (least - 4.0 * self.contact).max(0.0);
+        let (mut lo, mut hi) = (from, from + FARTHEST);
+        // Mostly nothing is said that keeps them apart at all.
+        if !excludes(from, least + LEAST_TOLD) {
+            state.work += work;
+            return None;
+        }
+        for _ in 0..STEPS {
+            let mid = (lo + hi) / 2.0;
+            if excludes(from, mid) { lo = mid } else { hi = mid }
+        }
+        state.work += work;
+        let mut why: Vec<EventId> = told.iter().map(|m| state.verdict_why[m.claim.index()]).collect();
+        let mut vars: Vec<Var> = told.iter().flat_map(|m| m.vars.iter().copied()).filter(|v| *v != off.var).collect();
+        vars.sort_unstable();
+        vars.dedup();
+        why.extend(vars.into_iter().flat_map(|v| state.why[v as usize]));
+        why.extend(state.why[off.var as usize]);
+        (lo > least).then_some((lo - least, why))
     }
 
     /// Two that overlap otherwise are apart along an axis, on the side that is left.
@@ -110,16 +232,16 @@ impl Packing<'_> {
         group: &PackingRegion<Affine>,
         [a, b]: [&Extent; 2],
         axis: usize,
-        why: &[EventId],
+        (space, of_space): &(f64, Vec<EventId>),
+        reasons: &[EventId],
         state: &mut State,
     ) -> Result<(), Conflict> {
         let pair = (b.member.min(a.member), b.member.max(a.member));
         let Some(off) = group.off(pair).map(|off| off[axis]) else { return Ok(()) };
-        let (space, of_space) = self.space(group, pair, state);
+        let space = *space;
         let least = (a.size[axis] + b.size[axis]) / 2.0 + space;
         let between = of(state, off);
-        let mut why = why.to_vec();
-        why.extend(of_space);
+        let mut why = [reasons, of_space].concat();
         if between.lo > -least && between.hi < least {
             why.extend([lower(state, off), upper(state, off)]);
             let [a, b] = [pair.0, pair.1].map(|i| self.name(group, i));
@@ -133,10 +255,10 @@ impl Packing<'_> {
         }
         let whole = if between.lo > -least && between.lo < least {
             why.push(lower(state, off));
-            super::interval::Interval::from(least)
+            Interval::from(least)
         } else if between.hi < least && between.hi > -least {
             why.push(upper(state, off));
-            super::interval::Interval::to(-least)
+            Interval::to(-least)
         } else {
             return Ok(());
         };
@@ -195,8 +317,7 @@ impl Packing<'_> {
                 .flat_map(move |i| (i + 1..n).map(move |k| (row[i].member, row[k].member)))
                 .map(|(a, b)| (a.min(b), a.max(b)))
         };
-        let spaces: Vec<(f64, Option<EventId>)> = pairs().map(|pair| self.space(group, pair, state)).collect();
-        let space = spaces.iter().map(|(space, _)| *space).fold(f64::INFINITY, f64::min);
+        let space = pairs().filter_map(|pair| forced.get(&pair)).map(|(space, _)| *space).fold(f64::INFINITY, f64::min);
         let at = |e: &&Extent| of(state, group.members[e.member].at[axis]);
         let (lo, hi) =
             row.iter().map(at).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), i| (l.min(i.lo), h.max(i.hi)));
@@ -211,8 +332,7 @@ impl Packing<'_> {
         }
         let mut why = reasons.to_vec();
         why.extend(row.iter().flat_map(|e| e.why.iter().copied()));
-        why.extend(pairs().filter_map(|pair| forced.get(&pair)).flatten());
-        why.extend(spaces.iter().filter_map(|(_, of_space)| *of_space).filter(|_| space > 0.0));
+        why.extend(pairs().filter_map(|pair| forced.get(&pair)).flat_map(|(_, why)| why));
         for e in row {
             let at = group.members[e.member].at[axis];
             why.extend([lower(state, at), upper(state, at)]);
@@ -222,10 +342,11 @@ impl Packing<'_> {
         let whole: Vec<f64> = row.iter().map(|e| self.reach(group, e.member, axis, state)).collect();
         let least = whole.iter().copied().fold(f64::INFINITY, f64::min);
         let most = whole.iter().copied().fold(0.0, f64::max);
-        let need = whole.iter().sum::<f64>() + gaps * space;
+        let said = if space > 0.0 { space + 3.0 * self.contact } else { 0.0 };
+        let need = whole.iter().sum::<f64>() + gaps * said;
         let there = hi - lo + (whole[0] + whole[row.len() - 1]) / 2.0;
         let each = if most - least < 0.005 { format!(" of {} m", short(most)) } else { String::new() };
-        let keep = if space > 0.0 { format!(" {} m apart", short(space + 3.0 * self.contact)) } else { String::new() };
+        let keep = if space > 0.0 { format!(" {} m apart", short(said)) } else { String::new() };
         let what = self.things(group, &members);
         if need > there + 0.004 {
             self.say(format!(

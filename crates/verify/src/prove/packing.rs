@@ -94,6 +94,8 @@ pub(super) struct Packing<'p> {
     groups: Vec<PackingRegion<Affine>>,
     /// What holds, taken apart.
     holding: Vec<Claim>,
+    /// What of it can be looked at by itself, once somebody asks.
+    made_of: OnceCell<Vec<MadeOf>>,
     /// By group and member: what is said of it alone, once somebody asks.
     placings: OnceCell<Vec<Vec<Placing>>>,
     /// What was tried already: by group, member, kind and points.
@@ -171,12 +173,18 @@ impl<'p> Packing<'p> {
             counted,
             groups,
             holding,
+            made_of: OnceCell::new(),
             placings: OnceCell::new(),
             tried: RefCell::default(),
             guessed: RefCell::default(),
             said: RefCell::default(),
             contact,
         }
+    }
+
+    /// What holds, with what it is made of.
+    pub(super) fn made_of(&self, problem: &Problem) -> &[MadeOf] {
+        self.made_of.get_or_init(|| self.holding.iter().filter_map(|c| MadeOf::new(problem, *c)).collect())
     }
 
     /// What is said of a member alone.
@@ -186,11 +194,11 @@ impl<'p> Packing<'p> {
             (free && !t.minus && t.add == Interval::point(0.0)).then_some(t.var)
         };
         let all = || {
-            let made_of: Vec<MadeOf> = self.holding.iter().filter_map(|c| MadeOf::new(problem, *c)).collect();
+            let made_of = self.made_of(problem);
             let of_member = |group: &PackingRegion<Affine>, m: &Member<Affine>| {
                 let own: [Option<Var>; 4] = [m.at[0], m.at[1], m.turn[0], m.turn[1]].map(plain);
                 let placed = own[..2].iter().all(Option::is_some) && group.straight;
-                if placed { Placing::new(problem, &made_of, own, group.at.map(plain)) } else { Placing::default() }
+                if placed { Placing::new(problem, made_of, own, group.at.map(plain)) } else { Placing::default() }
             };
             let of_group = |group: &PackingRegion<Affine>| {
                 let few = group.members.len() <= MOST_PLACED;
@@ -260,7 +268,7 @@ impl<'p> Packing<'p> {
                     let why = [&reasons[..], plane].concat();
                     self.areas(group, upright, &why, 0.0, state)?;
                 }
-                self.beside(group, &count, &reasons, state)?;
+                self.beside(problem, group, &count, &reasons, state)?;
                 for (upright, plane) in cuts {
                     let why = [&reasons[..], &plane].concat();
                     self.probes(problem, index, (&upright, upright.len()), &why, None, state)?;

@@ -114,9 +114,9 @@ pub(super) fn conjuncts(problem: &Problem, claims: &[Claim]) -> Vec<Claim> {
 /// A claim with what it is made of.
 #[derive(Clone, Debug)]
 pub(super) struct MadeOf {
-    claim: Claim,
+    pub claim: Claim,
     /// All variables, sorted.
-    vars: Vec<Var>,
+    pub vars: Vec<Var>,
     /// Those that it compares.
     compared: Vec<Var>,
 }
@@ -158,7 +158,7 @@ impl MadeOf {
 }
 
 /// A claim where variables are in intervals.
-fn verdict(problem: &Problem, claim: Claim, values: &[Interval]) -> Option<bool> {
+pub(super) fn verdict(problem: &Problem, claim: Claim, values: &[Interval]) -> Option<bool> {
     let holds = match &problem.verdicts[claim.index()] {
         VariableFormula::Open => None,
         VariableFormula::Atom { term, bound, strict } => {
