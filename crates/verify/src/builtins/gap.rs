@@ -2,7 +2,7 @@
 //! distance to the nearest wall.
 
 use super::declared::Given;
-use super::inside::{clearance_in_region, wall_along};
+use super::inside::{clearance_in_region, middle_in_proofs, wall_along};
 use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::coded::Boxes;
 use crate::eval::EvalError;
@@ -136,6 +136,11 @@ pub(crate) fn in_proofs(facts: &mut Unknowns<'_>, a: ObjectId, b: ObjectId) -> T
             let (p, q) = (facts.point_of(a), facts.point_of(b));
             facts.always.push(((p - q).length() - gap).at_least(-OUT_OF_BOX));
             facts.spans.push(([a, b], far + span));
+            // In a house it would be said of every room.
+            if let [region] = facts.regions()[..] {
+                let middles = [a, b].map(|object| middle_in_proofs(facts, object, region));
+                facts.always.extend(middles);
+            }
             between_solids(facts, gap, a, b);
         }
     }

@@ -6,8 +6,8 @@ use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::coded::Boxes;
 use crate::eval::{EvalError, Truth};
 use crate::number::{Algebra, Number};
-use crate::prove::tape::{Claim, Term, all};
-use crate::prove::unknowns::{Unknowns, claimed};
+use crate::prove::tape::{Claim, Term, all, implies};
+use crate::prove::unknowns::{EXACT, Unknowns, claimed};
 use crate::tolerances::Tolerances;
 use crate::vector::V3;
 use crate::world::{ObjectInstance, RegionInstance, World};
@@ -202,6 +202,22 @@ pub(crate) fn in_proofs(facts: &mut Unknowns<'_>, object: ObjectId, region: Regi
     }
     let parts: Vec<Claim> = parts.iter().map(|p| (*p + contact).at_least(-tolerances.order)).collect();
     if rectangle { all(&parts) } else { facts.open(format!("inside {object:?} {region:?}"), &parts) }
+}
+
+/// However an upright box is turned inside a rectangle, its middle is as far from the walls as half of its shorter side. That
+/// follows from its turn, but not without looking at each.
+pub(super) fn middle_in_proofs(facts: &mut Unknowns<'_>, object: ObjectId, region: RegionId) -> Claim {
+    let (thing, room) = (facts.thing(object), facts.room(region));
+    let is_turned = thing.axes.0[0].0.iter().any(|c| c.known().is_none());
+    if thing.axes.0[1].0[1].known() != Some(1.0) || !is_turned || !facts.is_rectangle(region) {
+        return Claim::TRUE;
+    }
+    let slack = facts.options.tolerances.contact + facts.options.tolerances.order;
+    let between = thing.center() - room.pos;
+    let at = facts.framed(region, between.0[0], between.0[2]);
+    let least = thing.scale.0[0].min(thing.scale.0[2]).scale(0.5);
+    let from = [0, 1].map(|i| (room.scale.0[2 * i].scale(0.5) - at[i].abs() - least).at_least(-slack - EXACT));
+    implies(in_proofs(facts, object, region), all(&from))
 }
 
 /// The least clearance of a box from the planes of the walls of a convex region. That is what

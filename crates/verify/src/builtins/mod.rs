@@ -13,6 +13,7 @@ mod declared;
 mod gap;
 mod inside;
 mod opens;
+mod passages;
 mod reachable;
 mod visible;
 mod walk_distance;

@@ -4,6 +4,7 @@
 
 use super::declared::Given;
 use super::inside::moving;
+use super::passages;
 use super::{Call, Declared, Semantics, Surroundings, metres};
 use crate::eval::{EvalError, Truth};
 use crate::navigation::{self, Blocker, Bottleneck};
@@ -12,9 +13,6 @@ use crate::prove::tape::Term;
 use crate::prove::unknowns::{Unknowns, claimed};
 use crate::world::World;
 use scenelang_lang::program::{ObjectId, Program, Unit};
-
-/// By how much a way may be narrower than it is asked to be, and then some (metres).
-const SLACK: f64 = 3e-3;
 
 pub(super) struct Reachable;
 
@@ -48,15 +46,8 @@ impl Semantics for Reachable {
     }
 
     fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Truth<Term>>, EvalError> {
-        // Without doors the disc is in one region, which is at least as wide and as long.
-        let regions = facts.regions();
-        let closed = facts.world.allow.doors.is_empty() && regions.iter().all(|r| facts.is_rectangle(*r));
-        let mut follow = Vec::new();
-        if let ([region], true) = (regions.as_slice(), closed) {
-            let width = call.number(2)?;
-            let size = facts.room(*region).scale;
-            follow.extend([0, 2].map(|i| (size.0[i] - width).at_least(-SLACK)));
-        }
+        let (from, to, width) = (call.object(0)?.0, call.object(1)?.0, call.number(2)?);
+        let follow = passages::needed(facts, [from, to], width);
         Ok(Some(claimed(facts.open(call.question()?, &follow))))
     }
 

@@ -23,6 +23,7 @@ mod probes;
 mod problem;
 mod refute;
 mod rings;
+mod sights;
 mod simplex;
 mod state;
 pub(crate) mod tape;

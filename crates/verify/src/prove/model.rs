@@ -105,6 +105,8 @@ impl<'a> Common<'a> {
 
 /// Boxes in one region between which every order is looked at, at most.
 const CLOSE_COMPANY: usize = 8;
+/// Of a statement about more objects than this it is not looked at what they see of each other.
+const MOST_SEEN: usize = 6;
 /// Of more objects than this in a region, those are left out that may overlap others.
 const CROWD: usize = 400;
 /// The sine of how far boxes may be turned off the axes to be looked at so: what the tolerance of `rot = …` leaves open.
@@ -143,8 +145,10 @@ impl ClaimModel {
                 builder.grounded(&mut unknowns, usual);
                 builder.middles(&mut unknowns);
             }
+            builder.sights(&mut unknowns);
             groups = builder.groups(&mut unknowns, companies(common, choice.usual, choice.statements));
         }
+        builder.seen_lengths(&mut unknowns, choice.statements);
         let angles = unknowns.directions(&builder.objects);
         builder.frames(&mut unknowns, &groups);
         let names = if named { unknowns.names() } else { FxHashMap::default() };
@@ -192,7 +196,12 @@ impl Builder<'_> {
         // Spaces and ways are in some region.
         let looks = |n: &Node| matches!(n, Node::BuiltIn(BuiltIn::Clear | BuiltIn::Reachable, _));
         let regions = if formula.nodes.iter().any(looks) { unknowns.regions() } else { regions_of(formula) };
-        let premises = rests(unknowns, &objects, &regions);
+        let mut premises = rests(unknowns, &objects, &regions);
+        if formula.nodes.iter().any(|n| matches!(n, Node::BuiltIn(BuiltIn::Reachable, _))) {
+            // A path may lead through any door.
+            let doors: Vec<ObjectId> = unknowns.world.allow.doors.iter().map(|door| door.object).collect();
+            premises.extend(rests(unknowns, &doors, &[]));
+        }
         if !infinite_ones_are_compared(formula) {
             return;
         }
@@ -210,6 +219,7 @@ impl Builder<'_> {
                 unknowns.angles.push(([p, q], angle));
             }
         }
+        unknowns.sighted(formula, &scratch);
         for object in objects_of_angles(formula) {
             unknowns.angles_turn_axes(object);
         }
@@ -326,6 +336,37 @@ impl Builder<'_> {
             let what = GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
             self.given.push(Given { claim: any(&ways), what, premises: rests(unknowns, &[a, b], &[]) });
         }
+    }
+
+    /// P-COLLIDE of things of which one faces the other.
+    fn sights(&mut self, unknowns: &mut Unknowns<'_>) {
+        let contact = self.options.tolerances.contact + 2.0 * self.options.tolerances.order;
+        for sight in unknowns.sights.clone() {
+            let [a, b] = sight.0;
+            let apart = if self.scope.collide(a, b) { unknowns.apart_in_sight(sight, contact) } else { None };
+            if let Some(claim) = apart {
+                let what =
+                    GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
+                self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]) });
+            }
+        }
+    }
+
+    /// Distances in terms of what things see of each other, where a statement says what one sees of the other.
+    fn seen_lengths(&self, unknowns: &mut Unknowns<'_>, statements: &[usize]) {
+        let mut pairs: BTreeSet<(ObjectId, ObjectId)> = BTreeSet::new();
+        for formula in statements.iter().map(|s| &self.program.constraints[*s].formula) {
+            let sees = |node: &Node| match node {
+                Node::Object(ObjectProperty::Front | ObjectProperty::Right, id) => Some(*id),
+                _ => None,
+            };
+            let objects = formula.objects();
+            if objects.len() <= MOST_SEEN {
+                let by: BTreeSet<ObjectId> = formula.nodes.iter().filter_map(sees).collect();
+                pairs.extend(by.iter().flat_map(|b| objects.iter().filter(move |a| *a != b).map(|a| (*a, *b))));
+            }
+        }
+        pairs.into_iter().for_each(|(a, b)| unknowns.seen_lengths(a, b));
     }
 
     /// Where things are taken as usual: each stands on a floor, or on something that the program compares its base with.

@@ -6,6 +6,7 @@
 //! proofs would be.
 
 use super::interval::Interval;
+use super::sights::Sight;
 use super::tape::{Claim, Term, implies, open, range, unknown};
 use super::usual::{Usual, carries_on_top, core_of};
 use crate::builtins::Call;
@@ -18,8 +19,8 @@ use crate::world::{Body, ObjectInstance, RegionInstance, World};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::library::furniture_size;
 use scenelang_lang::program::{
-    DrawId, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId, RegionProperty, Unit,
-    VariableKind,
+    ConstraintKind, DrawId, Formula, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program, RegionId,
+    RegionProperty, Unit, VariableKind,
 };
 use scenelang_layout::file::LARGEST;
 use scenelang_layout::{Geometry, Prism};
@@ -68,6 +69,10 @@ pub(crate) struct Unknowns<'p> {
     pub spaces: Vec<(Claim, ObjectId, ObjectInstance<Term>)>,
     /// Directions with the angles between them that claims speak of.
     pub angles: Vec<([V3<Term>; 2], Term)>,
+    /// Objects of which a component of the rotation is read.
+    turned: FxHashSet<ObjectId>,
+    /// Things of which one is in a direction from the other that claims speak of.
+    pub sights: Vec<Sight>,
 }
 
 /// What statements pin, with the statements.
@@ -173,6 +178,8 @@ impl<'p> Unknowns<'p> {
             points: FxHashMap::default(),
             spaces: Vec::new(),
             angles: Vec::new(),
+            turned: FxHashSet::default(),
+            sights: Vec::new(),
         };
         for (index, variable) in program.variables.iter().enumerate() {
             world.variables[index] = Ok(match variable.kind {
@@ -302,6 +309,14 @@ impl<'p> Unknowns<'p> {
                 found.insert((pin.owner, pin.property), (pin.constraint, value));
             }
         }
+        // An orientation that is asserted is as good as one that is assigned.
+        let asserted = self.program.constraints.iter().enumerate().filter(|(i, _)| self.usual.is_some() && counts(*i));
+        for (index, constraint) in asserted.filter(|(_, c)| c.kind == ConstraintKind::Assert) {
+            for (object, rot) in turned_to(&constraint.formula) {
+                let rot = V3(rot.map(Term::constant));
+                found.entry((Owner::Object(object), Pinned::Rot)).or_insert((index, rot));
+            }
+        }
         found
     }
 
@@ -337,6 +352,7 @@ impl<'p> Unknowns<'p> {
     pub fn angles_turn_axes(&mut self, id: ObjectId) {
         let Some(thing) = &self.world.objects[id.0 as usize] else { return };
         let (axes, turned) = (thing.axes, M3::rotation(thing.rot));
+        self.turned.insert(id);
         for (a, b) in axes.0.iter().flat_map(|v| v.0).zip(turned.0.iter().flat_map(|v| v.0)) {
             self.equal(a, b);
         }
@@ -390,17 +406,19 @@ impl<'p> Unknowns<'p> {
         for ([p, q], angle) in self.angles.clone() {
             edges.push(([number(p), number(q)], angle));
         }
-        let mut turns: FxHashMap<usize, Term> = FxHashMap::default();
+        let mut turns: FxHashMap<usize, (Term, bool)> = FxHashMap::default();
         for &id in objects {
             let thing = self.thing(id);
             let axes = thing.axes.0.map(&mut number);
             for [i, k] in [[0, 1], [0, 2], [1, 2]] {
                 edges.push(([axes[i], axes[k]], Term::constant(90.0)));
             }
-            if thing.axes.0[1].0[1].known() == Some(1.0) {
+            let is_level = [0, 2].iter().all(|i| thing.rot.0[*i].known() == Some(0.0));
+            if is_level && thing.axes.0[1].0[1].known() == Some(1.0) {
                 let ahead = thing.rot.0[1];
+                let is_read = ahead.known().is_some() || self.turned.contains(&id);
                 for (axis, quarters) in [(axes[2], 0.0), (axes[0], 1.0), (axes[2] ^ 1, 2.0), (axes[0] ^ 1, 3.0)] {
-                    turns.insert(axis, ahead + Term::constant(90.0 * quarters));
+                    turns.insert(axis, (ahead + Term::constant(90.0 * quarters), is_read));
                 }
             }
         }
@@ -410,10 +428,13 @@ impl<'p> Unknowns<'p> {
             edges.extend(fixed[..i].iter().map(|(q, b)| ([*a, *b], p.angle(*q))));
         }
         for ([p, q], angle) in &edges[..self.angles.len()] {
-            let (Some(p), Some(q)) = (turns.get(p), turns.get(q)) else { continue };
-            for whole in [-720.0, -360.0, 0.0, 360.0, 720.0] {
-                let apart = (*p - *q + Term::constant(whole)).abs();
-                self.always.push((apart - *angle).at_least(-1e-6));
+            let (Some((p, reads_p)), Some((q, reads_q))) = (turns.get(p), turns.get(q)) else { continue };
+            // It is what they differ by, the shorter way round: of turns that an assignment makes large, not all ways are here.
+            let is_near = *reads_p && *reads_q && range(*p - *q).magnitude() < 900.0;
+            let ways = [-720.0, -360.0, 0.0, 360.0, 720.0].map(|whole| (*p - *q + Term::constant(whole)).abs());
+            self.always.extend(ways.map(|apart| (apart - *angle).at_least(-1e-6)));
+            if let Some(shortest) = ways.into_iter().reduce(Term::min).filter(|_| is_near) {
+                self.always.push((*angle - shortest).at_least(-1e-6));
             }
         }
         edges
@@ -421,6 +442,11 @@ impl<'p> Unknowns<'p> {
 
     pub fn thing(&self, id: ObjectId) -> ObjectInstance<Term> {
         self.world.objects[id.0 as usize].clone().expect("every object that is spoken of is there")
+    }
+
+    /// The same, if it is spoken of.
+    pub fn thing_spoken_of(&self, id: ObjectId) -> Option<ObjectInstance<Term>> {
+        self.world.objects[id.0 as usize].clone()
     }
 
     pub fn room(&self, id: RegionId) -> RegionInstance<Term> {
@@ -692,6 +718,36 @@ impl Oracle<Term> for Unknowns<'_> {
             _ => truth(open()),
         })
     }
+}
+
+/// What a formula says at its top level of orientations: that they are the same as one of numbers (degrees).
+fn turned_to(formula: &Formula) -> Vec<(ObjectId, [f64; 3])> {
+    let number = |id: NodeId| match formula.node(id) {
+        Node::Number(n) => Some(*n),
+        Node::Neg(of) => match formula.node(*of) {
+            Node::Number(n) => Some(-n),
+            _ => None,
+        },
+        _ => None,
+    };
+    let (mut open, mut found) = (vec![formula.root], Vec::new());
+    while let Some(id) = open.pop() {
+        match formula.node(id) {
+            Node::And(parts) => open.extend(parts.iter().copied()),
+            Node::Same(a, b) => {
+                for (a, b) in [(a, b), (b, a)] {
+                    if let (Node::Object(ObjectProperty::Rot, object), Node::Rotation([x, y, z])) =
+                        (formula.node(*a), formula.node(*b))
+                        && let (Some(x), Some(y), Some(z)) = (number(*x), number(*y), number(*z))
+                    {
+                        found.push((*object, [x, y, z]));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// Whether the solid of an object is its box for sure: it is asked to be, or nothing says what kind of thing it is.
