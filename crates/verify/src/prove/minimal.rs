@@ -1,6 +1,7 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
-use super::model::{Choice, ClaimModel, Common, Given, GivenSource, Rules, crowds, insides, regions_of};
+use super::looks::{alone, few, parts};
+use super::model::{Choice, ClaimModel, Common, Given, GivenSource, Rules, crowds, regions_of};
 use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
@@ -10,10 +11,9 @@ use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
-    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, ObjectId, Owner, Pinned, Program,
-    RegionId,
+    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, ObjectId, Owner, Program, RegionId,
 };
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::atomic::Ordering;
 
 /// So many usual sizes are tried whether a contradiction rests on them.
@@ -26,6 +26,13 @@ const NEIGHBOURS: usize = 24;
 const WHOLE: u64 = 2;
 const SMALLER: u64 = 4;
 const ONE: u64 = 300;
+/// Of what is said of a few things; all of those together may take so much of it.
+const FEW: u64 = 20;
+const ALL_FEW: u64 = 2;
+/// So many statements are looked at without the rules, too.
+const MOST_BARE: usize = 12;
+/// Of whether a distance is more than any that there can be.
+const ANYWHERE: u64 = 60;
 /// The part of the work that may go, beside all else, into preferences that can never hold.
 const PREFERENCES: u64 = 10;
 const PREFERENCE: u64 = 60;
@@ -61,6 +68,8 @@ pub(super) struct Prover<'a> {
     common: Common<'a>,
     /// What is taken for granted, if anything is.
     usual: Option<&'a Usual>,
+    /// Which physical rules count.
+    rules: Rules,
     spent: u64,
     /// Whether some question ended for lack of work.
     short: bool,
@@ -71,7 +80,7 @@ pub(super) struct Prover<'a> {
 impl<'a> Prover<'a> {
     pub fn new(program: &'a Program, options: &'a ProveOptions, usual: Option<&'a Usual>) -> Self {
         let common = Common::new(program, &options.judging);
-        Self { program, options, common, usual, spent: 0, short: false, too_large: false }
+        Self { program, options, common, usual, rules: Rules::All, spent: 0, short: false, too_large: false }
     }
 
     /// Everything.
@@ -83,16 +92,17 @@ impl<'a> Prover<'a> {
             (0..self.program.constraints.len()).filter(|i| self.is_hard(*i) && !known(i)).collect();
         // Crowded regions by themselves, then everything, again and again without what was found; single objects last, in case
         // they were lost among the rest.
-        let mut looks = crowds(&self.common, self.usual, &open);
-        let mut is_last = false;
-        looks.reverse();
+        let mut looks: Vec<(Vec<usize>, u64)> =
+            crowds(&self.common, self.usual, &open).into_iter().rev().map(|look| (look, SMALLER)).collect();
+        let (mut is_last, mut least) = (false, 0);
         if self.is_too_large(open.iter().copied()) {
             // What has nothing to do with the rest can be looked at by itself.
-            looks.splice(0..0, parts(&self.common, &open).into_iter().rev());
+            looks.splice(0..0, parts(&self.common, &open).into_iter().rev().map(|part| (part, SMALLER)));
         }
         while findings.contradictions.len() < MOST_CONTRADICTIONS && !open.is_empty() {
             let (among, part, last) = match looks.pop() {
-                Some(few) => (few, SMALLER, false),
+                _ if is_last && self.left() < least => break,
+                Some((few, part)) => (few, part, false),
                 None if is_last => break,
                 None => (open.clone(), WHOLE, true),
             };
@@ -102,7 +112,11 @@ impl<'a> Prover<'a> {
                     open.retain(|i| !found.statements.contains(i));
                     findings.contradictions.push(found);
                 }
-                None if last => (looks, is_last) = (alone(self.program, &open), true),
+                None if last => {
+                    (looks, is_last) = (self.small_looks(&open), true);
+                    let (few, one) = (self.options.work / ALL_FEW, self.options.work / FEW);
+                    least = self.left().saturating_sub(few).max(one);
+                }
                 None => {}
             }
         }
@@ -117,6 +131,12 @@ impl<'a> Prover<'a> {
             findings.unsatisfiable = self.unsatisfiable();
         }
         findings
+    }
+
+    /// What is said of single objects, and of a few, each with the part of the work that it may take.
+    fn small_looks(&self, open: &[usize]) -> Vec<(Vec<usize>, u64)> {
+        let of_few = few(self.program, open).into_iter().rev().map(|look| (look, FEW));
+        of_few.chain(alone(self.program, open).into_iter().map(|look| (look, SMALLER))).collect()
     }
 
     /// Preferences that cannot hold together with what is asserted around them. Those of the library are not looked at:
@@ -200,7 +220,7 @@ impl<'a> Prover<'a> {
     where
         'a: 's,
     {
-        Choice { statements, contrary: None, rules: Rules::All, usual: self.usual }
+        Choice { statements, contrary: None, rules: self.rules, usual: self.usual }
     }
 
     fn is_hard(&self, statement: usize) -> bool {
@@ -211,10 +231,13 @@ impl<'a> Prover<'a> {
         self.options.cancel.as_ref().is_some_and(|c| c.load(Ordering::Relaxed))
     }
 
+    fn left(&self) -> u64 {
+        self.options.work.saturating_sub(self.spent)
+    }
+
     /// Whether a choice cannot be, in a part of the work.
     fn refute(&mut self, choice: Choice<'_>, part: u64, tell: bool) -> Option<Core> {
-        let left = self.options.work.saturating_sub(self.spent);
-        let most = (self.options.work / part).min(left);
+        let most = (self.options.work / part).min(self.left());
         if most == 0 || self.is_stopped() {
             self.short = true;
             return None;
@@ -310,7 +333,19 @@ impl<'a> Prover<'a> {
         Some(strictly.filter(is_better).unwrap_or(found))
     }
 
+    /// Where the rules make it too long a search, what the statements say by themselves may do.
     fn minimal(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
+        let found = self.minimal_with(among, part);
+        if found.is_some() || part != FEW && among.len() > MOST_BARE {
+            return found;
+        }
+        self.rules = Rules::None;
+        let found = self.minimal_with(among, part.max(FEW));
+        self.rules = Rules::All;
+        found
+    }
+
+    fn minimal_with(&mut self, among: &[usize], part: u64) -> Option<Contradiction> {
         let mut core = self.refute(self.whole(among), part, false)?;
         // Small first: a core of a core is often smaller, and costs little.
         while let Some(next) = self.refute(self.whole(&core.statements), SMALLER, false) {
@@ -435,7 +470,7 @@ impl<'a> Prover<'a> {
         pins.sort_unstable();
         pins.dedup();
         let choice = Choice { statements: &pins, contrary: Some(statement), rules: Rules::Bounds, usual: self.usual };
-        self.refute(choice, ONE, false).is_some()
+        self.refute(choice, ANYWHERE, false).is_some()
     }
 
     fn redundancies(&mut self, findings: &mut Findings) {
@@ -476,116 +511,13 @@ fn size(model: &ClaimModel) -> u64 {
     (model.tape.ops.len() + model.tape.facts.len()) as u64
 }
 
-/// Statements in parts that have nothing to do with each other: they share no object, no variable, and no region but
-/// such as stand fast, by assigned places and sizes. What is said of those alone goes with every part that speaks of them,
-/// or of something that may be in any region; the rest of it is a part of its own.
-fn parts(common: &Common<'_>, among: &[usize]) -> Vec<Vec<usize>> {
-    let program = common.program;
-    let pinned = |region: RegionId, property: Pinned| {
-        program.pins.iter().any(|p| {
-            p.owner == Owner::Region(region) && p.property == property && among.binary_search(&p.constraint).is_ok()
-        })
-    };
-    let fast: Vec<bool> = (0..program.regions.len() as u32)
-        .map(|r| [Pinned::Pos, Pinned::Scale].into_iter().all(|p| pinned(RegionId(r), p)))
-        .collect();
-    let joins = |thing: &Thing| !matches!(thing, Thing::Region(r) if fast[*r as usize]);
-    let mut part_of: FxHashMap<Thing, usize> = FxHashMap::default();
-    let mut parts: Vec<Vec<usize>> = Vec::new();
-    let mut ground = Vec::new();
-    for &statement in among {
-        let things: Vec<Thing> = things(&program.constraints[statement].formula).into_iter().filter(joins).collect();
-        if things.is_empty() {
-            ground.push(statement);
-            continue;
-        }
-        // The first part of those that it joins takes in the others.
-        let mut joined: Vec<usize> = things.iter().filter_map(|t| part_of.get(t).copied()).collect();
-        joined.sort_unstable();
-        joined.dedup();
-        let own = joined.first().copied().unwrap_or(parts.len());
-        if own == parts.len() {
-            parts.push(Vec::new());
-        }
-        for &other in joined.iter().skip(1) {
-            let taken = std::mem::take(&mut parts[other]);
-            parts[own].extend(taken);
-            part_of.values_mut().filter(|p| **p == other).for_each(|p| *p = own);
-        }
-        parts[own].push(statement);
-        part_of.extend(things.into_iter().map(|t| (t, own)));
-    }
-    parts.retain(|p| !p.is_empty());
-    if parts.is_empty() {
-        return vec![ground];
-    }
-    let ground: Vec<(usize, Vec<RegionId>)> =
-        ground.into_iter().map(|s| (s, regions_of(&program.constraints[s].formula))).collect();
-    let mut apart = vec![true; ground.len()];
-    for part in &mut parts {
-        let goes_with = ground_of(common, part, &ground);
-        for ((ground, goes_with), apart) in ground.iter().zip(goes_with).zip(&mut apart) {
-            if goes_with {
-                part.push(ground.0);
-                *apart = false;
-            }
-        }
-        part.sort_unstable();
-    }
-    let rest: Vec<usize> = ground.iter().zip(apart).filter(|(_, apart)| *apart).map(|(ground, _)| ground.0).collect();
-    parts.extend((!rest.is_empty()).then_some(rest));
-    parts
-}
-
-/// What several assertions say of one object and of no other, with what is assigned to it: in a large program it is seen here
-/// that two of them contradict each other.
-fn alone(program: &Program, among: &[usize]) -> Vec<Vec<usize>> {
-    let mut of: BTreeMap<u32, (Vec<usize>, usize)> = BTreeMap::new();
-    for &statement in among {
-        let constraint = &program.constraints[statement];
-        if let [object] = constraint.formula.objects()[..] {
-            let (own, asserted) = of.entry(object.0).or_default();
-            own.push(statement);
-            *asserted += usize::from(constraint.kind == ConstraintKind::Assert);
-        }
-    }
-    of.into_values().filter(|(_, asserted)| *asserted > 1).map(|(own, _)| own).collect()
-}
-
-/// Which of the statements that speak of regions only goes with a part: those of the regions that it speaks of, and of
-/// regions that these are compared with.
-fn ground_of(common: &Common<'_>, part: &[usize], ground: &[(usize, Vec<RegionId>)]) -> Vec<bool> {
-    let formulas = || part.iter().map(|s| &common.program.constraints[*s].formula);
-    let looks = |n: &Node| matches!(n, Node::BuiltIn(BuiltIn::Clear | BuiltIn::Reachable, _));
-    let inside: FxHashSet<_> = formulas().flat_map(insides).map(|(_, object)| object).collect();
-    // P-BOUNDS speaks of all regions where nothing says in which one something is.
-    let is_anywhere = |object| common.options.physics && common.scope.bounds(object) && !inside.contains(&object);
-    let everywhere = formulas().any(|f| f.nodes.iter().any(looks) || f.objects().into_iter().any(is_anywhere));
-    if everywhere {
-        return vec![true; ground.len()];
-    }
-    let mut regions: FxHashSet<RegionId> = formulas().flat_map(regions_of).collect();
-    loop {
-        let before = regions.len();
-        for (_, own) in ground {
-            if own.iter().any(|r| regions.contains(r)) {
-                regions.extend(own);
-            }
-        }
-        if regions.len() == before {
-            break;
-        }
-    }
-    ground.iter().map(|(_, own)| own.is_empty() || own.iter().any(|r| regions.contains(r))).collect()
-}
-
 /// Which statements speak of the same things.
 struct Neighbours {
     by_thing: FxHashMap<Thing, Vec<usize>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Thing {
+pub(super) enum Thing {
     Object(u32),
     Region(u32),
     Variable(u32),
@@ -632,7 +564,7 @@ impl Neighbours {
     }
 }
 
-fn things(formula: &Formula) -> Vec<Thing> {
+pub(super) fn things(formula: &Formula) -> Vec<Thing> {
     let mut out: Vec<Thing> = formula.objects().into_iter().map(|o| Thing::Object(o.0)).collect();
     out.extend(regions_of(formula).into_iter().map(|r| Thing::Region(r.0)));
     for node in &formula.nodes {
@@ -674,33 +606,4 @@ fn is_partial(formula: &Formula) -> bool {
         Node::Call(function, _) => matches!(function, Function::Sqrt | Function::Normalize | Function::Angle),
         _ => false,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use scenelang_lang::{Options, compile_text};
-    use std::fmt::Write;
-    use std::path::Path;
-
-    /// The most statements that are looked at together in a house of so many rooms, with a thing in each.
-    fn largest_part(rooms: usize) -> usize {
-        let mut text = String::new();
-        for i in 0..rooms {
-            let x = 5 * i;
-            write!(text, "region room{i}; room{i}.pos <- vec3({x}, 0, 0); room{i}.scale <- vec3(4, 2.6, 4);").unwrap();
-            write!(text, "object box{i}; box{i}.dimensions <- vec3(1, 1, 1); assert inside(box{i}, room{i});").unwrap();
-        }
-        let compiled = compile_text("house.scene", Path::new("house.scene"), &text, Options::default());
-        let program = compiled.program.unwrap();
-        let all: Vec<usize> = (0..program.constraints.len()).collect();
-        let options = ProveOptions::default();
-        parts(&Common::new(&program, &options.judging), &all).iter().map(Vec::len).max().unwrap()
-    }
-
-    #[test]
-    fn a_part_is_no_larger_where_there_are_more_rooms() {
-        assert!(largest_part(1) > 2);
-        assert_eq!(largest_part(2), largest_part(30));
-    }
 }

@@ -12,6 +12,7 @@
 mod beside;
 mod cuts;
 pub(crate) mod interval;
+mod looks;
 mod minimal;
 mod model;
 mod narrow;
