@@ -74,6 +74,11 @@ fn plain(e: &io::Error) -> String {
     said.split_once(" (os error").map_or(said.clone(), |(text, _)| text.to_lowercase())
 }
 
+/// Removes what a process left in these folders that was ended while it wrote there.
+pub fn sweep<'a>(folders: impl IntoIterator<Item = &'a Path>) {
+    folders.into_iter().for_each(parts::sweep);
+}
+
 fn prepare<'a>(path: &Path, bytes: &'a [u8], private: bool) -> io::Result<Ready<'a>> {
     let (path, old) = match target::of(path)? {
         WriteTarget::File { path, old } => (path, old),

@@ -5,7 +5,7 @@
 //! all is done, so that after any step the next process knows which files are ours and goes on.
 
 use super::{LIST, List, Standing, full, is_outside, key, there};
-use crate::fs::write_set;
+use crate::fs::{sweep, write_set};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fs;
@@ -63,6 +63,10 @@ impl<'b> Change<'_, 'b> {
     /// # Errors
     /// A file cannot be read.
     pub fn steps(&self, folder: &Path) -> io::Result<Steps<'b>> {
+        // Also where all files are as they should be already.
+        let folders: BTreeSet<PathBuf> =
+            self.files.iter().filter_map(|(name, _)| folder.join(name).parent().map(Path::to_path_buf)).collect();
+        sweep(folders.iter().map(PathBuf::as_path));
         let mut list = List::of(folder);
         let before = list.text();
         let mut out = Steps { folder: folder.to_path_buf(), ..Steps::default() };

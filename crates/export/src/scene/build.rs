@@ -100,6 +100,7 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>, memory: &Memory) -> 
     }
     let file = |&id: &FileId| (input.sources.get(id).name().to_owned(), input.sources.get(id).text().to_owned());
     let overlaps = overlaps(input.program, &objects);
+    hold(&mut objects, &overlaps);
     Ok(Scene {
         name: input.name.to_owned(),
         program: input.files.iter().map(file).collect(),
@@ -266,6 +267,20 @@ fn overlaps(program: &Program, objects: &[Object]) -> Vec<[usize; 2]> {
     };
     let near = broad::pairs_within(&boxes, 0.0).into_iter().filter(|&(a, b)| allowed(a, b) && is_deep(a, b));
     near.map(|(a, b)| [a as usize, b as usize]).collect()
+}
+
+/// What shares space with another by permission and stands higher than that does is held where it is: the two do not push each
+/// other, so it would fall through. A blanket that hangs over the edge of a cot does so.
+fn hold(objects: &mut [Object], overlaps: &[[usize; 2]]) {
+    const HIGHER: f64 = 0.05;
+    let base = |object: &Object| Aabb::of(object.world_solid().flat_map(|piece| piece.vertices().to_vec())).min.y;
+    for &[a, b] in overlaps {
+        let [low, high] = [base(&objects[a]), base(&objects[b])];
+        let upper = if low > high { a } else { b };
+        if (low - high).abs() > HIGHER && objects[upper].body == Body::Free {
+            objects[upper].body = Body::Held;
+        }
+    }
 }
 
 /// `object chair[6];` — from the word before the declared name to the statement's end.
