@@ -110,6 +110,10 @@ impl Mesh {
     pub(crate) fn bead(&mut self, b: Block, s: &Surface) {
         self.lathe(b, &sphere(6), 12, s);
     }
+    /// The same of flowers, of which a bunch has many.
+    pub(crate) fn bud(&mut self, b: Block, s: &Surface) {
+        self.lathe(b, &sphere(4), 8, s);
+    }
     /// A profile turned about the upright axis of the box. Points are (radius, height), both as fractions of the box, from
     /// the bottom outside up (and, for a vessel, down again inside); open ends are closed by a disc. `sides` is a multiple
     /// of four, so that the extents are exact.

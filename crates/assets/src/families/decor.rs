@@ -204,7 +204,7 @@ fn blossoms(mesh: &mut Mesh, crown: Block, dice: &mut Dice) {
         let c = crown.center() + Vec3::new(out * size.x * yaw.cos(), 0.32 * size.y, out * size.z * yaw.sin());
         let r = 0.07 * size.x.min(size.z);
         let s = Stuff(Finish::Leaf, *dice.pick(&[0xe0607e, 0xf2c14e, 0xf4f1ea, 0xc45ab3])).surface();
-        mesh.ball(block(-r..r, -0.6 * r..0.6 * r, -r..r).moved(c.x, c.y, c.z), &s);
+        mesh.bud(block(-r..r, -0.6 * r..0.6 * r, -r..r).moved(c.x, c.y, c.z), &s);
     }
 }
 
@@ -245,7 +245,7 @@ pub(super) fn vase(a: &Ask) -> BuiltModel {
                 mesh.tube(&[Vec3::new(0.1 * cos, 0.0, 0.1 * sin), top], 0.018, &c);
                 Leaf { yaw: yaw + 0.8, rise: 0.3, droop: 0.2, long: 0.35, wide: 0.16 }.draw(mesh, top * 0.6, &c);
                 let s = Stuff(Finish::Leaf, *dice.pick(&[0xe0607e, 0xf2c14e, 0xf4f1ea, 0xb45ab3, 0xe8842c])).surface();
-                mesh.ball(block(-0.16..0.16, -0.12..0.14, -0.16..0.16).moved(top.x, top.y, top.z), &s);
+                mesh.bud(block(-0.16..0.16, -0.12..0.14, -0.16..0.16).moved(top.x, top.y, top.z), &s);
             }
         });
     }

@@ -104,6 +104,21 @@ fn boxes_are_exact_and_triangles_few() {
     report(&bad);
 }
 
+#[test]
+fn no_noun_has_too_many_triangles() {
+    let mut bad = Vec::new();
+    for (noun, known) in table() {
+        for features in ["", "with flowers"] {
+            let size = Some(known.size);
+            let asset = furnish(&AssetRequest { name: "it", category: noun, features, size, ..AssetRequest::default() });
+            if asset.mesh.triangles() > MOST {
+                bad.push(format!("{noun} ({features}): {} triangles", asset.mesh.triangles()));
+            }
+        }
+    }
+    report(&bad);
+}
+
 /// A triangle with its plane and the surface it shows.
 struct Face {
     corners: [Vec3; 3],
