@@ -24,6 +24,9 @@ const MOST: f64 = 1e4;
 const HALVINGS: usize = 40;
 /// The same where each look is dear: ways over the floor are looked for.
 const DEAR: (f64, usize) = (3.0, 8);
+/// What is measured by a built-in predicate and is no more than this part of what was asked for asks for nothing any more:
+/// a path 4 cm wide.
+const NOTHING: f64 = 0.1;
 /// A number that is rounder may be so much further off than it must; of what is asked for, that may take no more than so
 /// many metres, or so much of it.
 const ROUND: f64 = 0.1;
@@ -65,6 +68,13 @@ pub fn in_statement(program: &Program, sources: &SourceMap, world: &World<f64>, 
     }
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found
+}
+
+/// Whether numbers are written in a statement, or in what it is made with.
+pub fn has_numbers(program: &Program, sources: &SourceMap, index: usize) -> bool {
+    let constraint = &program.constraints[index];
+    let definitions = constraint.definitions.iter().map(|definition| program.definitions[*definition].span);
+    definitions.chain([constraint.span]).any(|span| !in_text(sources, span).is_empty())
 }
 
 /// Numbers to be changed so that all targets hold: of one statement each number that does it, of several one each.
@@ -249,6 +259,9 @@ fn relaxed(formula: &Formula, world: &World<f64>, literal: &Literal) -> Option<R
     let lost = (LOST.0 / literal.per).max(LOST.1 * value.abs());
     let fits = |x: &f64| (x - value).abs() <= lost.min(ROUND * least.abs());
     let best = (0..=9).map(round).filter(fits).find(|x| holds(x * literal.per))?;
+    if is_measure(formula, literal) && best <= NOTHING * literal.written {
+        return None;
+    }
     let edit = Edit { place: literal.place, text: format!("{}{}", best + 0.0, literal.unit) };
     let margin = evaluate(formula, world).map_or(Unit::Metre, |truth| truth.unit);
     let unit = unit(formula, literal, margin);
@@ -274,12 +287,18 @@ fn unit(formula: &Formula, literal: &Literal, margin: Unit) -> String {
         _ => None,
     });
     // What is measured by a built-in predicate has the unit of its margin.
-    let given = |arg: &Arg| matches!(arg, Arg::Value(id) if own(id));
-    let measured = formula.nodes.iter().any(|n| matches!(n, Node::BuiltIn(_, args) if args.iter().any(given)));
+    let measured = is_measure(formula, literal);
     let compared = compared.filter(|(_, other)| !plain(*other)).map(|(unit, _)| unit);
     match compared.or(measured.then_some(margin)) {
         Some(Unit::Degree) => "°".to_owned(),
         Some(Unit::Metre) => " m".to_owned(),
         _ => String::new(),
     }
+}
+
+/// Whether a number is what a built-in predicate is given.
+fn is_measure(formula: &Formula, literal: &Literal) -> bool {
+    let own = |id: &NodeId| literal.nodes.iter().any(|(node, _)| *node == id.0 as usize);
+    let given = |arg: &Arg| matches!(arg, Arg::Value(id) if own(id));
+    formula.nodes.iter().any(|n| matches!(n, Node::BuiltIn(_, args) if args.iter().any(given)))
 }

@@ -63,7 +63,7 @@ impl Semantics for Reachable {
         }
         Some(match navigation::bottleneck(call.world, from, to, width) {
             Some(bottleneck) => in_words(&bottleneck, [a, b], width, names),
-            None => format!("there is no path of any width from `{a}` to `{b}`"),
+            None => closed_in_words([a, b], &navigation::closing(call.world, from, to, width), names),
         })
     }
 
@@ -84,7 +84,24 @@ impl Semantics for Reachable {
             Blocker::Object(id) => Some(id),
             Blocker::Wall(_) | Blocker::Door(_) | Blocker::Edge => None,
         };
-        found.into_iter().flat_map(|found| found.between).filter_map(object).collect()
+        match found {
+            Some(found) => found.between.into_iter().filter_map(object).collect(),
+            None if Self::exact(call).is_ok_and(|truth| !truth.holds) => {
+                navigation::closing(call.world, from, to, width)
+            }
+            None => Vec::new(),
+        }
+    }
+}
+
+/// What closes the way between two objects, in words.
+fn closed_in_words([a, b]: [&str; 2], closing: &[ObjectId], names: &Program) -> String {
+    let closed = format!("there is no path of any width from `{a}` to `{b}`");
+    let quoted: Vec<String> = closing.iter().map(|id| format!("`{}`", names.objects[id.0 as usize].name)).collect();
+    match quoted.split_last() {
+        None => closed,
+        Some((one, [])) => format!("{closed}, because {one} is in the way"),
+        Some((last, rest)) => format!("{closed}, because {} and {last} are in the way", rest.join(", ")),
     }
 }
 

@@ -95,6 +95,42 @@ pub(super) fn find(tried: &Tried, ends: [&[Vec2]; 2], radius: f64) -> Option<(Ga
     (!gaps.is_empty()).then(|| (gaps.swap_remove(which), None))
 }
 
+/// What closes the way where there is none of any width: as few objects as will do, the nearest to an end first, without
+/// which a disc of `radius` gets through or, where it never does, one of any width; as indices into [`Ground::obstacles`].
+/// The objects at the ends are none of them. Empty: the walls close it.
+pub(super) fn closing(ground: &Ground, ends: [&[Vec2]; 2], own: [ObjectId; 2], radius: f64) -> Vec<usize> {
+    let far = |i: usize| {
+        let to = |end: &[Vec2]| nearest_points(end, &ground.obstacles[i].outline).map_or(0.0, |(p, q)| (q - p).norm());
+        ends.iter().map(|end| to(end)).fold(f64::INFINITY, f64::min)
+    };
+    let may = |i: &usize| ground.obstacles[*i].object.is_some_and(|id| !own.contains(&id));
+    let mut near: Vec<(f64, usize)> = (0..ground.obstacles.len()).filter(may).map(|i| (far(i), i)).collect();
+    near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let near: Vec<usize> = near.into_iter().map(|(_, i)| i).collect();
+    let opens =
+        |without: &[usize], radius: f64| Try::new(&Tried::new(ground.without(without)), ends, radius, None).is_way();
+    let Some(radius) = [radius, FIT].into_iter().find(|radius| opens(&near, *radius)) else { return Vec::new() };
+    // Without more of them there is a way all the more.
+    let (mut closed, mut open) = (0, near.len());
+    while open - closed > 1 {
+        let middle = usize::midpoint(closed, open);
+        if opens(&near[..middle], radius) {
+            open = middle;
+        } else {
+            closed = middle;
+        }
+    }
+    let mut found = near[..open].to_vec();
+    // The last of them is needed; of the others those that are not are put back, the farthest first.
+    for i in near[..open.saturating_sub(1)].iter().rev().take(MOST) {
+        let fewer: Vec<usize> = found.iter().copied().filter(|other| other != i).collect();
+        if opens(&fewer, radius) {
+            found = fewer;
+        }
+    }
+    found
+}
+
 /// The radius to try next: it halves the number of gaps between things that may be the one (half their widths, sorted), then
 /// comes close to the last of them from both sides, and halves what remains if that was not it.
 fn next_radius(gaps: &[f64], passes: f64, fails: f64) -> f64 {

@@ -54,6 +54,12 @@ impl Ground {
         Self { whole: MultiPolygon(vec![whole]), obstacles: objects.into_iter().collect() }
     }
 
+    /// The same without some obstacles, by their indices.
+    pub fn without(&self, gone: &[usize]) -> Self {
+        let stays = self.obstacles.iter().enumerate().filter(|(i, _)| !gone.contains(i));
+        Self { whole: self.whole.clone(), obstacles: stays.map(|(_, obstacle)| obstacle.clone()).collect() }
+    }
+
     /// Where the centre of a disc is free, with a further obstacle if one is given.
     pub fn free(&self, radius: f64, corners: usize, further: Option<&[Vec2]>) -> Floor {
         let outlines = self.obstacles.iter().map(|o| o.outline.as_slice()).chain(further);

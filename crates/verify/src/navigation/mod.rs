@@ -68,6 +68,8 @@ struct Known {
     near: FxHashMap<Beside, Arc<[usize]>>,
     /// What keeps a disc of a radius from getting from one object to another.
     bottlenecks: Vec<((f64, ObjectId, ObjectId), Option<Bottleneck>)>,
+    /// What closes the way where there is none of any width.
+    closings: Vec<((f64, ObjectId, ObjectId), Vec<ObjectId>)>,
     /// The outlines of rooms and doors, and the floor made of them.
     whole: Option<(Vec<Vec<Vec2>>, MultiPolygon)>,
 }
@@ -207,6 +209,31 @@ fn find_bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, radius
         sides.swap(0, 1);
     }
     Some(Bottleneck { width: gap.width, between: sides.map(|s| s.0), at: sides.map(|s| s.1), end })
+}
+
+/// The objects that close the way from one object to another, where there is none of any width; empty: walls do, or a thing
+/// is missing.
+pub(crate) fn closing<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, width: f64) -> Vec<ObjectId> {
+    let radius = radius_of(world, width);
+    let key = (radius, a, b);
+    if let Some((_, known)) = world.walks.lock().closings.iter().find(|(k, _)| *k == key) {
+        return known.clone();
+    }
+    let found = find_closing(world, a, b, radius).unwrap_or_default();
+    world.walks.lock().closings.push((key, found.clone()));
+    found
+}
+
+fn find_closing<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, radius: f64) -> Option<Vec<ObjectId>> {
+    let [from, to] = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
+    let storey = storey(world, from);
+    if storey != self::storey(world, to) {
+        return None;
+    }
+    let tried = world.walks.tried(world, storey, radius);
+    let ground = &tried.ground;
+    let found = bottleneck::closing(ground, [&from.footprint(), &to.footprint()], [a, b], radius);
+    Some(found.into_iter().filter_map(|i| ground.obstacles[i].object).collect())
 }
 
 /// The door in whose opening both points are.
