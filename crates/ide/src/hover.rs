@@ -4,7 +4,7 @@
 use crate::diagnostics::margin;
 use crate::names::{self, Occurrence, Symbol};
 use crate::navigate::word_of;
-use crate::{Snapshot, conjuncts, facts, keywords};
+use crate::{Judged, Snapshot, conjuncts, facts, keywords};
 use scenelang_base::TextRange;
 use scenelang_lang::ast::{Stmt, StmtKind};
 use scenelang_lang::chunk::cut;
@@ -47,7 +47,10 @@ pub fn hover(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, Stri
     Ok(match (name, about, constraint) {
         (Some(name), Some(text), None) => Some((name.range, text)),
         (Some(name), Some(text), Some((_, verdict))) => {
-            Some((name.range, format!("{text}\n\n---\n{}", verdict.lines().next().unwrap_or_default())))
+            // Of a conjunction the part that the pointer is on.
+            let part = part_in_words(snapshot, offset)?;
+            let state = part.unwrap_or_else(|| verdict.lines().next().unwrap_or_default().to_owned());
+            Some((name.range, format!("{text}\n\n---\n{state}")))
         }
         (_, None, Some((range, verdict))) => Some((range, verdict)),
         (_, None, None) => None,
@@ -347,9 +350,8 @@ fn state_in_words(row: &Row) -> String {
     }
 }
 
-/// The constraint whose statement holds an offset, and what is to be said of it.
-pub(crate) fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
-    let Some(judged) = snapshot.judged()? else { return Ok(None) };
+/// The row of the constraint whose statement holds an offset.
+fn row_at(snapshot: &Snapshot, judged: &Judged, offset: u32) -> Option<usize> {
     let here = |row: &Row| {
         let place = row.place;
         matches!(row.subject, Subject::Statement(_))
@@ -357,7 +359,26 @@ pub(crate) fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(
             && place.range.start <= offset
             && offset <= place.range.end
     };
-    let Some(index) = judged.verdict.rows.iter().position(here) else { return Ok(None) };
+    judged.verdict.rows.iter().position(here)
+}
+
+/// Whether the part of a conjunction holds in which an offset is, and by how much; `None`: it is in none.
+fn part_in_words(snapshot: &Snapshot, offset: u32) -> Result<Option<String>, Cancelled> {
+    let Some(judged) = snapshot.judged()? else { return Ok(None) };
+    let row = row_at(snapshot, &judged, offset).map(|index| &judged.verdict.rows[index]);
+    let Some(Subject::Statement(index)) = row.map(|row| row.subject) else { return Ok(None) };
+    let Some(constraint) = judged.compiled.program.constraints.get(index) else { return Ok(None) };
+    let part = conjuncts::part_at(snapshot, constraint, offset)?;
+    Ok(part.map(|part| {
+        let by = part.margin.map_or(String::new(), |m| format!(", margin **{m}**"));
+        format!("{}{by}", if part.holds { "holds" } else { "**fails**" })
+    }))
+}
+
+/// The constraint whose statement holds an offset, and what is to be said of it.
+pub(crate) fn constraint_at(snapshot: &Snapshot, offset: u32) -> Result<Option<(TextRange, String)>, Cancelled> {
+    let Some(judged) = snapshot.judged()? else { return Ok(None) };
+    let Some(index) = row_at(snapshot, &judged, offset) else { return Ok(None) };
     let row = &judged.verdict.rows[index];
     // The sentences and the moves are worked out only for who asks.
     let verdict = if row.satisfied == Some(false) { snapshot.explained()? } else { None };

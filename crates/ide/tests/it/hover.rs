@@ -57,6 +57,24 @@ fn constraints_and_their_parts() {
     );
 }
 
+/// On a predicate of a conjunction its own verdict is said, not that of the whole.
+#[test]
+fn a_part_of_a_conjunction_says_whether_it_holds() {
+    for (statement, state) in [
+        ("assert ga$0p(stand[1], bed) >= 0 and lamp.top > 3;", "\n---\nholds, margin **+"),
+        ("assert ga$0p(stand[1], bed) >= 2 and lamp.top > 0.5;", "\n---\n**fails**, margin **−"),
+        ("assert gap(stand[1], bed) >= 2 and ne$0ar(lamp, bed, 5);", "\n---\nholds, margin **+"),
+        // An instance of a quantifier, and what is behind another `and`.
+        ("assert forall s in stand: ne$0ar(s, bed, 5) and s.top > 3;", "\n---\nholds, margin **+"),
+        ("assert forall s in stand: near(s, bed, 5) and s.t$0op > 3;", "\n---\n**fails**, margin **−"),
+        ("assert bed.top < 0.1 and (lamp.top > 0 and on$0Floor(bed, room));", "\n---\nholds"),
+        // No conjunction: the whole is the part.
+        ("assert ne$0ar(lamp, bed, 0.01) or bed.top > 3;", "\n---\n**fails**"),
+    ] {
+        says(&Fixture::with(statement), state);
+    }
+}
+
 #[test]
 fn requirements() {
     says(
