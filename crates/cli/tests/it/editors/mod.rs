@@ -105,7 +105,9 @@ fn neovim() {
         return;
     }
     let home = home();
-    fs::write(home.path().join("init.lua"), block("Neovim", "lua")).unwrap();
+    // With the block that lets a browser follow the cursor.
+    let follows = block("The room beside the text", "vim");
+    fs::write(home.path().join("init.lua"), format!("{}vim.cmd([[{follows}]])\n", block("Neovim", "lua"))).unwrap();
     let driver = root().join("crates/cli/tests/it/editors/neovim.lua");
     let mut command = editor("nvim", home.path());
     if has_viewer() {
@@ -114,7 +116,9 @@ fn neovim() {
     command.args(["--headless", "-u", "../init.lua", "-i", "NONE", "-n", "room.scene", "-S"]).arg(driver);
     let ended = run(&mut command, b"");
     is_as_it_should_be(home.path(), &ended.stderr);
-    let shown = &read_json(&home.path().join("seen.json"))["shown"];
+    let seen = read_json(&home.path().join("seen.json"));
+    assert!(seen["followed"].as_u64().is_some_and(|places| places > 1), "{seen:#}");
+    let shown = &seen["shown"];
     let is_shown = shown.as_str().is_some_and(|said| said.contains("the room is shown at http://127.0.0.1:"));
     assert_eq!(is_shown, has_viewer(), "{shown}");
 }

@@ -89,6 +89,13 @@ local function main()
   wait('a verdict on it', function() return not has('E0201') and not has('E0507') end)
   vim.cmd('silent wall')
 
+  -- The cursor rests: the server is told where.
+  local highlighted
+  vim.lsp.handlers['textDocument/documentHighlight'] = function(_, result) highlighted = result end
+  go('object couch')
+  vim.cmd('doautocmd CursorHold')
+  seen.followed = #wait('what the cursor is on', function() return highlighted end)
+
   if os.getenv('VIEWER') then
     local said
     vim.lsp.handlers['window/showMessage'] = function(_, result) said = result.message end
