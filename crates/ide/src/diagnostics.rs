@@ -6,8 +6,11 @@ use scenelang_base::{Diagnostic, Label, Severity, codes};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::program::Unit;
 use scenelang_verify::check::Judged as Row;
+use scenelang_verify::report::goes_with;
 use scenelang_verify::report::model::RowKind;
 
+/// What is less than this has no digits to be shown, nor a sign.
+const NOTHING: f64 = 5e-5;
 /// No more violations are shown.
 const MOST: usize = 250;
 
@@ -84,7 +87,8 @@ fn violation(row: &Row, index: usize, out: &mut Vec<Finding>) {
 /// What fails, and by how much, in a line.
 pub fn headline(row: &Row) -> String {
     let what = if row.measured.is_empty() { &row.text } else { &row.measured };
-    match margin(row) {
+    let fits = row.margin.is_some_and(|(_, unit)| goes_with(unit, what));
+    match margin(row).filter(|_| fits) {
         Some(margin) => format!("{what} (margin {margin})"),
         None => what.clone(),
     }
@@ -99,8 +103,8 @@ pub fn margin(row: &Row) -> Option<String> {
 pub(crate) fn in_words(value: f64, unit: Unit) -> String {
     let size = value.abs();
     // Below a millimetre the digits are what matters.
-    let digits = if size == 0.0 || size >= 0.01 { format!("{size:.2}") } else { format!("{size:.4}") };
-    let sign = if value < 0.0 { "−" } else { "+" };
+    let digits = if size < NOTHING || size >= 0.01 { format!("{size:.2}") } else { format!("{size:.4}") };
+    let sign = if value <= -NOTHING { "−" } else { "+" };
     let unit = if unit == Unit::Degree { "°" } else { " m" };
     format!("{sign}{digits}{unit}")
 }

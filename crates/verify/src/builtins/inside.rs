@@ -81,6 +81,10 @@ impl Semantics for Inside {
         let region = call.name(1, names);
         let inside = inside_clearance(&thing.body.obb, &room.prism);
         let least = inside.least();
+        // Who is told so does not want it there, and has no use for how near it is to the floor.
+        if least >= 0.0 {
+            return Some(format!("`{name}` is inside `{region}`"));
+        }
         let place = if least == inside.horizontal.value {
             edge_of(call.world, &room.prism)
         } else if least == inside.floor {
@@ -88,11 +92,7 @@ impl Semantics for Inside {
         } else {
             "the ceiling"
         };
-        Some(if least < 0.0 {
-            format!("`{name}` extends {} beyond {place} of `{region}`", metres(-least))
-        } else {
-            format!("`{name}` is {} from {place} of `{region}`", metres(least))
-        })
+        Some(format!("`{name}` extends {} beyond {place} of `{region}`", metres(-least)))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::human::{Human, holding, judged_with, summary};
 use super::model::{Finding, Report, Row, RowKind, SourceSpan};
 use scenelang_base::plain;
+use scenelang_lang::program::Unit;
 use std::fmt::Write;
 
 /// `file:line:column: error[V0101]: what is wrong`, one line each; then one line that sums up.
@@ -33,13 +34,27 @@ pub fn compact(report: &Report, Human { color, all }: Human) -> String {
     out
 }
 
+/// Whether a margin of a unit says something beside a sentence: metres do not beside what is said in degrees.
+pub fn goes_with(unit: Unit, measured: &str) -> bool {
+    unit != Unit::Metre || !measured.contains('°')
+}
+
+/// A margin with three digits, or as many as it takes to see that it is none.
+fn seen(margin: f64) -> String {
+    let digits = (3..=6).find(|digits| margin.abs() * 10_f64.powi(*digits) >= 0.5).unwrap_or(3);
+    let text = format!("{margin:.*}", digits as usize);
+    // A zero has no sign.
+    if margin.abs() < 5e-7 { text.trim_start_matches('-').to_owned() } else { text }
+}
+
 /// What fails and what was measured, with the margin.
 pub(super) fn main_fact(row: &Row) -> String {
     // Where the objects are comes after the first semicolon.
     let measured = row.message.split("; `").next().unwrap_or_default();
     let margin = match (row.margin, row.unit.as_deref()) {
         (Some(margin), Some("deg")) => format!(" (margin {margin:.1}°)"),
-        (Some(margin), Some(unit)) => format!(" (margin {margin:.3} {unit})"),
+        (Some(_), Some("m")) if !goes_with(Unit::Metre, measured) => String::new(),
+        (Some(margin), Some(unit)) => format!(" (margin {} {unit})", seen(margin)),
         _ => String::new(),
     };
     let fails = if row.is_violation() { "fails" } else { "is not met" };

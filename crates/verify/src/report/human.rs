@@ -1,5 +1,6 @@
 //! The report for people: each finding and each violation with the places it speaks of, then one line that sums up.
 
+use super::compact::goes_with;
 use super::exit_code;
 use super::model::{Design, RowKind, Summary, Tally};
 use super::words::Words;
@@ -119,7 +120,7 @@ pub fn diagnostics(diagnostics: &[Diagnostic], sources: &SourceMap, color: bool)
 
 fn violation(row: &Judged, layout: &str, words: &Words<'_>, cache: &mut Files<'_>, color: bool, out: &mut String) {
     let fails = if row.kind == RowKind::Prefer { "not met" } else { "fails" };
-    let label = match row.margin {
+    let label = match row.margin.filter(|(_, unit)| goes_with(*unit, &row.measured)) {
         Some((margin, unit)) => {
             let metres = if unit == Unit::Metre { " m" } else { "" };
             format!("{fails} in {layout}: margin {}{metres}", measure_in_words(margin, unit))

@@ -12,7 +12,7 @@ mod sarif;
 mod words;
 
 pub use build::{build, part_id, place, statement_id};
-pub use compact::compact;
+pub use compact::{compact, goes_with};
 pub use github::github;
 pub use human::{Human, diagnostics, human};
 pub use json::json;
