@@ -30,6 +30,8 @@ pub(super) struct Judged {
     pub flaws: usize,
     /// Whether it moves a door or a window.
     pub fitting: bool,
+    /// How many objects go along that it does not carry.
+    pub company: usize,
     /// Whether it only turns an object, and that is what the rows are about.
     pub directed: bool,
 }
@@ -97,8 +99,17 @@ pub(super) fn choose(best: Judged, others: Vec<Judged>) -> Vec<Judged> {
     let best = choices[0].clone();
     // What can be turned need not be moved as well.
     let turned = |other: &Judged| best.directed && other.kind().iter().any(|(id, _)| *id == best.steps[0].object);
+    // Nobody carries a sofa and its table across the room where one lamp can be moved.
+    let carries = |other: &Judged| {
+        let far = |step: &ObjectMove| step.with.is_none() && step.by[0].hypot(step.by[2]) > PUSHED;
+        other.company > best.company && other.steps.iter().any(far)
+    };
     let fits = |other: &Judged| {
-        other.price() <= most && other.fitting <= best.fitting && other.flaws <= best.flaws && !turned(other)
+        other.price() <= most
+            && other.fitting <= best.fitting
+            && other.flaws <= best.flaws
+            && !turned(other)
+            && !carries(other)
     };
     let mut others: Vec<Judged> = others.into_iter().filter(fits).collect();
     while choices.len() < CHOICES {

@@ -33,9 +33,11 @@ const STEPS: usize = 4;
 /// So often what a move would break becomes a goal.
 const ROUNDS: usize = 5;
 /// What goes farther than this is carried, and may as well be put where such things stand (metres).
-const FAR: f64 = 1.0;
+pub(super) const FAR: f64 = 1.0;
 /// Of so many ways to satisfy goals no more are looked for.
 const WAYS: usize = 4;
+/// What it counts that an object goes along: a part of what the move counts, and metres for taking hold of it.
+const ALONG: (f64, f64) = (0.5, 0.5);
 /// So many rows are named that pull the other way.
 const OPPOSING: usize = 3;
 
@@ -52,24 +54,26 @@ pub(crate) struct FoundMove {
 
 /// Looks for moves in one layout.
 pub(crate) struct MoveFinder<'a> {
-    stage: Stage<'a>,
+    pub(super) stage: Stage<'a>,
     /// What must hold and does not.
     failing: Vec<RowRef>,
     /// What one object can do about all of that, and what else does no harm; `None`: nobody has asked yet.
     whole: Option<(Option<Judged>, Vec<Judged>)>,
     /// The work up to which something may be looked for.
-    limit: usize,
+    pub(super) limit: usize,
     /// Moves of one object that repair what is asked for and do no harm.
     harmless: Vec<Judged>,
+    /// Moves of the object that is looked at, from where it is, that break something: of each company the smallest.
+    pub(super) leaving: Vec<Judged>,
     /// Objects that stay where they are.
-    locked: Vec<ObjectId>,
+    pub(super) locked: Vec<ObjectId>,
 }
 
 impl<'a> MoveFinder<'a> {
     /// Whoever tries out what is dear has so much to spend.
     pub fn new(program: &'a Program, world: World<f64>, failing: Vec<RowRef>, purse: usize) -> Self {
         let stage = Stage::new(program, world, purse);
-        Self { stage, failing, whole: None, limit: 0, harmless: Vec::new(), locked: Vec::new() }
+        Self { stage, failing, whole: None, limit: 0, harmless: Vec::new(), leaving: Vec::new(), locked: Vec::new() }
     }
 
     /// The same, but these objects stay where they are.
@@ -141,7 +145,8 @@ impl<'a> MoveFinder<'a> {
         for object in self.blamed(&[row]) {
             let limit = self.share();
             let (steps, rows) = (&[], [row]);
-            let try_out = Attempt { object, goals: vec![Goal::Row(row)], rows: &rows, steps, free: &rows, limit };
+            let try_out =
+                Attempt { object, goals: vec![Goal::Row(row)], rows: &rows, steps, free: &rows, limit, company: 0 };
             for judged in self.nearest(&try_out) {
                 if smallest.as_ref().is_none_or(|s| judged.cost < s.cost) {
                     smallest = Some(judged);
@@ -172,7 +177,7 @@ impl<'a> MoveFinder<'a> {
             for object in self.blamed(&failing) {
                 let limit = self.share();
                 let (goals, rows, free) = (goals.clone(), failing.as_slice(), failing.as_slice());
-                let found = self.object(&Attempt { object, goals, rows, steps: &[], free, limit });
+                let found = self.object(&Attempt { object, goals, rows, steps: &[], free, limit, company: 0 });
                 keep(&mut best, found.filter(|j| j.harm() == (0, 0)));
             }
             self.whole = Some((best, std::mem::take(&mut self.harmless)));
@@ -219,7 +224,8 @@ impl<'a> MoveFinder<'a> {
                 let limit = self.share();
                 let free = [row];
                 let goals = vec![part];
-                let found = self.object(&Attempt { object, goals, rows: &[], steps: &steps, free: &free, limit });
+                let found =
+                    self.object(&Attempt { object, goals, rows: &[], steps: &steps, free: &free, limit, company: 0 });
                 keep(&mut best, found);
             }
             let judged = best.or_else(|| self.parts(part, row, steps.clone()))?;
@@ -248,7 +254,7 @@ impl<'a> MoveFinder<'a> {
                 let limit = if i + 1 < groups.len() { self.stage.work + (share - self.stage.work) / 2 } else { share };
                 let rows: Vec<RowRef> = group.iter().chain(done).copied().collect();
                 let goals = group.iter().map(|row| Goal::Row(*row)).collect();
-                let found = self.object(&Attempt { object, goals, rows: &rows, steps, free: group, limit });
+                let found = self.object(&Attempt { object, goals, rows: &rows, steps, free: group, limit, company: 0 });
                 let harmless = found.as_ref().is_some_and(|j| j.harm() == (0, 0));
                 keep(&mut best, found.filter(|_| harmless || i + 1 == groups.len()));
                 if harmless {
@@ -284,25 +290,30 @@ impl<'a> MoveFinder<'a> {
     }
 
     /// The work that one object may take: a dear row must not spend all on the first one.
-    fn share(&self) -> usize {
+    pub(super) fn share(&self) -> usize {
         let share = self.limit.saturating_sub(self.stage.work) / (OBJECTS + 1);
         self.stage.work + share.max(1)
     }
 
-    /// The best move of an object: from where it is first, then from places farther off.
-    fn object(&mut self, attempt: &Attempt<'_>) -> Option<Judged> {
+    /// The best move of an object with others that go along: from where it is first, then from places farther off.
+    pub(super) fn with_company(&mut self, attempt: &Attempt<'_>, company: &[ObjectId]) -> Option<Judged> {
         let mut best = None;
-        let riders = self.riders(attempt);
-        let mut attempt = attempt.clone();
-        if !riders.is_empty() {
+        let mut attempt = Attempt { company: company.len(), ..attempt.clone() };
+        let mut riders = self.riders(&attempt, attempt.object);
+        for &id in company {
+            let carried = self.riders(&attempt, id);
+            riders.extend(std::iter::once(id).chain(carried).filter(|id| *id != attempt.object));
+        }
+        let mut known = rustc_hash::FxHashSet::default();
+        riders.retain(|id| known.insert(*id));
+        if !riders.is_empty() && company.is_empty() {
             // Alone it leaves something without support, most likely.
             for judged in self.judged(&attempt, &[], From::Here) {
                 keep(&mut best, Some(judged));
             }
         }
+        let mut first = true;
         let half = attempt.limit.saturating_sub(self.stage.work) / 2;
-        // What is dear must leave something for other objects.
-        let dear = attempt.goals.iter().any(|goal| self.stage.cost(*goal) > DEAR);
         let more = |limit: usize, stage: &Stage<'_>| limit.max(stage.work + half);
         for from in [From::Here, From::Afar] {
             let far = from == From::Afar;
@@ -315,12 +326,14 @@ impl<'a> MoveFinder<'a> {
                     break;
                 }
                 if best.as_ref().is_some_and(|b| b.harm() == (0, 0)) {
-                    if !dear {
-                        attempt.limit = more(attempt.limit, &self.stage);
-                    }
+                    attempt.limit = more(attempt.limit, &self.stage);
                     return self.properly(best, &attempt, &riders);
                 }
                 let found = self.judged(&attempt, &riders, from);
+                if std::mem::take(&mut first) {
+                    let breaking = found.iter().filter(|judged| !judged.does.breaks.is_empty());
+                    self.leaving.extend(breaking.min_by(|a, b| a.cost.total_cmp(&b.cost)).cloned());
+                }
                 let before = attempt.goals.len();
                 for judged in &found {
                     let broken = judged.does.breaks.iter().map(|row| Goal::Row(*row));
@@ -341,9 +354,7 @@ impl<'a> MoveFinder<'a> {
                 attempt.goals.extend(new);
             }
         }
-        if !dear {
-            attempt.limit = more(attempt.limit, &self.stage);
-        }
+        attempt.limit = more(attempt.limit, &self.stage);
         self.properly(best, &attempt, &riders)
     }
 
@@ -362,14 +373,14 @@ impl<'a> MoveFinder<'a> {
     }
 
     /// What rests on an object and may go along.
-    fn riders(&mut self, attempt: &Attempt<'_>) -> Vec<ObjectId> {
-        let carried = self.stage.carried_by(attempt.object).into_iter();
+    fn riders(&mut self, attempt: &Attempt<'_>, object: ObjectId) -> Vec<ObjectId> {
+        let carried = self.stage.carried_by(object).into_iter();
         carried.filter(|id| !self.locked.contains(id) && self.stage.pins(*id, attempt.free)[0].is_none()).collect()
     }
 
     /// The smallest moves of an object, whatever they break.
     fn nearest(&mut self, attempt: &Attempt<'_>) -> Vec<Judged> {
-        let riders = self.riders(attempt);
+        let riders = self.riders(attempt, attempt.object);
         let mut found = self.judged(attempt, &[], From::Here);
         if !riders.is_empty() {
             found.extend(self.judged(attempt, &riders, From::Here));
@@ -399,7 +410,7 @@ impl<'a> MoveFinder<'a> {
 
     /// Moves of an object with what goes along, by what they do; up to the first that neither does harm nor is awkward.
     fn judged(&mut self, attempt: &Attempt<'_>, riders: &[ObjectId], places: From) -> Vec<Judged> {
-        let Attempt { object, goals, rows, steps, free, limit } = attempt;
+        let Attempt { object, goals, rows, steps, free, limit, company } = attempt;
         let [pos, turn] = self.stage.pins(*object, free);
         let freedom = Freedom { pos: pos.is_none(), turn: turn.is_none() };
         let earlier = steps.iter().find(|s| s.object == *object).copied();
@@ -466,8 +477,10 @@ impl<'a> MoveFinder<'a> {
             }
             let open = rows.iter().filter(|row| !does.repairs.contains(row)).count();
             let fitting = moved.iter().any(|id| self.stage.is_fitting(*id));
-            let flaws = self.stage.new_flaws(&moved) + self.stage.misplaced(asked);
-            let judged = Judged { cost, steps: all, does, open, flaws, fitting, directed: directed && turn };
+            let flaws = self.stage.new_flaws(&moved) + self.stage.misplaced(asked) + self.stage.half_out(&moved, asked);
+            let cost = cost * (1.0 + ALONG.0 * *company as f64) + ALONG.1 * *company as f64;
+            let judged =
+                Judged { cost, steps: all, does, open, flaws, fitting, company: *company, directed: directed && turn };
             if judged.harm() == (0, 0) {
                 self.harmless.push(judged.clone());
                 done[usize::from(turn)] |= judged.is_sound();
@@ -494,15 +507,17 @@ enum From {
 
 /// What is to be done about goals by moving an object.
 #[derive(Clone)]
-struct Attempt<'t> {
-    object: ObjectId,
-    goals: Vec<Goal>,
+pub(super) struct Attempt<'t> {
+    pub object: ObjectId,
+    pub goals: Vec<Goal>,
     /// The rows that a move has to repair.
-    rows: &'t [RowRef],
+    pub rows: &'t [RowRef],
     /// What has been moved already.
-    steps: &'t [ObjectMove],
+    pub steps: &'t [ObjectMove],
     /// Assignments among these rows do not keep it where it is.
-    free: &'t [RowRef],
+    pub free: &'t [RowRef],
     /// The work up to which it may be looked for.
-    limit: usize,
+    pub limit: usize,
+    /// How many objects go along that it does not carry.
+    pub company: usize,
 }

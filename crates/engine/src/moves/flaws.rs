@@ -17,7 +17,7 @@ const AT_WALL: f64 = 0.1;
 /// A lamp or a plant that is farther from walls, and from furniture that it may stand beside, stands alone (metres).
 const ALONE: f64 = 0.2;
 /// A chair that is so near to a desk belongs to it (metres).
-const BELONGS: f64 = 0.4;
+const BELONGS: f64 = 0.45;
 /// What is narrower is a chair, what is wider a sofa or an armchair (metres).
 pub(super) const CHAIR: f64 = 0.75;
 /// A lower seat has no back: one may sit or put one's feet on it from any side (metres).
@@ -325,6 +325,22 @@ impl<'a> Sense<'a> {
         if behind || at[across].abs() > ends {
             found.push(Flaw::AtEnd(seat.id));
         }
+    }
+
+    /// The chairs that are drawn up to a table: so near to it and to no other one, and looking at it if they have a front.
+    pub fn drawn_up(&self, table: ObjectId) -> Vec<ObjectId> {
+        let Some(table) = self.thing(table).filter(Thing::is_table) else { return Vec::new() };
+        let near = |seat: &Thing<'_>, table: &Thing<'_>| {
+            let near = !obb::apart(seat.obb, table.obb, BELONGS);
+            near.then(|| obb::separation(seat.obb, table.obb).gap)
+        };
+        let looks = |seat: &Thing<'_>| seat.is_stool() || seat.axis(2).dot(&(table.obb.center - seat.obb.center)) > 0.0;
+        let belongs = |seat: &Thing<'_>| {
+            let Some(gap) = near(seat, &table) else { return false };
+            let tables = self.others(table.id).filter(|other| other.is_table() && other.id != seat.id);
+            seat.is_chair() && looks(seat) && !tables.filter_map(|other| near(seat, &other)).any(|other| other < gap)
+        };
+        self.others(table.id).filter(belongs).map(|seat| seat.id).collect()
     }
 
     /// Whether no other seat is at a table.

@@ -1,8 +1,9 @@
-//! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), how the
-//! moves of one object are found ([`search`], [`proper`], [`ways`]), what is awkward about where they lead ([`flaws`]), and which of
+//! The smallest move that repairs what fails: who looks for it ([`finder`]), where moves are tried ([`stage`]), what goes along
+//! ([`company`]), how the moves of one object are found ([`search`], [`proper`], [`ways`]), what is awkward about where they lead ([`flaws`]), and which of
 //! them are offered ([`choice`]).
 
 mod choice;
+mod company;
 mod finder;
 mod flaws;
 mod proper;
@@ -10,7 +11,9 @@ mod search;
 mod settle;
 mod stage;
 mod stands;
+mod walls;
 mod ways;
+mod zones;
 
 pub(crate) use finder::MoveFinder;
 

@@ -2,13 +2,13 @@
 //! the backs in line, a plant at a wall, a rug with the table on its middle.
 
 use super::flaws::{CHAIR, stands_aside};
-use super::search::{Move, MoveSearch};
+use super::search::{ASIDE, Move, MoveSearch};
 use super::stands::LOW;
+use super::walls;
 use crate::Pose;
 use crate::pose::{half_turn, yaw_towards};
 use scenelang_lang::program::ObjectId;
-use scenelang_layout::{Obb, Vec2, Vec3, obb};
-use scenelang_verify::World;
+use scenelang_layout::{Vec3, obb};
 use scenelang_verify::explain::ObjectMove;
 
 /// So many objects that the goals speak of are looked at.
@@ -20,7 +20,7 @@ const TABLES: f64 = 2.0;
 const BEFORE: [f64; 4] = [0.05, 0.2, 0.3, 0.4];
 const KNEES: [f64; 4] = [0.3, 0.4, 0.2, 0.05];
 /// Spaces between what stands side by side (metres).
-const BESIDE: [f64; 2] = [0.05, 0.2];
+pub(super) const BESIDE: [f64; 2] = [0.05, 0.2];
 /// What it counts that the middles are in line and not the backs, or that a seat stands beside something instead of before a table (metres).
 const SECOND: f64 = 0.5;
 /// The same of fronts that are in line.
@@ -31,6 +31,8 @@ const LIGHT: f64 = 0.01;
 const AMID: f64 = 0.1;
 /// So many places at walls are looked for: in most rooms there are four corners.
 const WALLS: usize = 5;
+/// Places along a wall that are nearer to each other are one (metres).
+const APART: f64 = 0.5;
 /// What is deeper than this in something else is no place for it (metres).
 const OVERLAP: f64 = 0.01;
 /// What stands higher or lower than this stands on something else (metres).
@@ -43,6 +45,11 @@ impl MoveSearch<'_, '_> {
         // On the floor that it is to stand on.
         home.pos.y += self.from.by[1];
         let mut out: Vec<(f64, ObjectMove)> = Vec::new();
+        let role = self.stage.role(self.from.object);
+        // Each try may be dear, so what is most likely comes first.
+        if walls::has_back(role, &home.scale) && walls::is_backed(&home, self.stage.world()) {
+            out.extend(self.with_back_to_wall(&home));
+        }
         for other in self.companions() {
             let Some(anchor) = self.stage.pose(other).filter(|a| (a.pos.y - home.pos.y).abs() < SAME_FLOOR) else {
                 continue;
@@ -67,19 +74,48 @@ impl MoveSearch<'_, '_> {
                 out.extend(found.map(|step| (self.cost(&step), step)));
             }
         }
-        let role = self.stage.role(self.from.object);
         if stands_aside(role, &home.scale) {
             let amid = if role == "plant" { AMID } else { 0.0 };
             let price =
                 |(corner, spot): &(bool, Pose)| LIGHT * (spot.pos - home.pos).norm() + if *corner { 0.0 } else { amid };
             // To try a place may be dear: the best come first, and few of them are enough.
-            let mut spots = at_walls(&home, self.stage.world());
+            let mut spots = walls::in_corners(&home, self.stage.world());
             spots.retain(|(_, spot)| self.is_free(spot));
             spots.sort_by(|a, b| price(a).total_cmp(&price(b)));
             let found = spots.iter().filter_map(|spot| Some((price(spot), self.reached(&home, &spot.1)?)));
             out.extend(found.take(WALLS).collect::<Vec<_>>());
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
+        out
+    }
+
+    /// Places with the back to a wall, for what stands so.
+    fn with_back_to_wall(&mut self, home: &Pose) -> Vec<(f64, ObjectMove)> {
+        let mut spots = walls::along(home, self.stage.world());
+        spots.retain(|spot| self.is_free(spot));
+        let far = |spot: &Pose| (spot.pos - home.pos).norm();
+        spots.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        let mut out: Vec<(f64, ObjectMove)> = Vec::new();
+        let barred = self.is_barred();
+        let mut tried: Vec<Pose> = Vec::new();
+        for spot in spots {
+            if out.len() >= WALLS || self.spent() {
+                break;
+            }
+            // Each try may be dear: then not those that are as good as tried.
+            let again = |other: &Pose| other.rot == spot.rot && (other.pos - spot.pos).norm() < ASIDE;
+            if self.dear && (barred && far(&spot) < ASIDE || tried.iter().any(again)) {
+                continue;
+            }
+            tried.push(spot);
+            if let Some(step) = self.reached(home, &spot) {
+                // Of places side by side the first is enough.
+                let near = |other: &ObjectMove| (0..3).all(|i| (other.by[i] - step.by[i]).abs() < APART);
+                if !out.iter().any(|(_, other)| near(other)) {
+                    out.push((self.cost(&step), step));
+                }
+            }
+        }
         out
     }
 
@@ -129,12 +165,10 @@ impl MoveSearch<'_, '_> {
         self.stage.role(self.from.object) == "seat" && matches!(self.stage.role(other), "desk" | "table" | "counter")
     }
 
-    /// Whether nothing else stands in a place where it would be turned as it is.
+    /// Whether nothing else stands in a place.
     fn is_free(&self, spot: &Pose) -> bool {
         let (own, world) = (self.from.object, self.stage.world());
-        let (Some(now), Ok(thing)) = (self.stage.pose(own), world.object(own)) else { return false };
-        let obb = &thing.body.obb;
-        let there = Obb { center: obb.center + spot.pos - now.pos, ..*obb };
+        let there = spot.obb();
         world.bodies().all(|(id, _)| {
             let other = world.object(id).map(|thing| &thing.body.obb);
             id == own || other.is_ok_and(|other| obb::apart(other, &there, -OVERLAP))
@@ -148,11 +182,18 @@ impl MoveSearch<'_, '_> {
             return None;
         }
         let by: [f64; 3] = std::array::from_fn(|i| spot.pos[i] - home.pos[i] - self.from.by[i]);
-        [100.0, 1000.0, 10_000.0].into_iter().find_map(|grid| {
+        for grid in [100.0, 1000.0, 10_000.0] {
             let round = |x: f64| (x * grid).round() / grid + 0.0;
             let m: Move = [round(by[0]), 0.0, round(by[2]), round(turn)];
-            self.holds(&m).then(|| self.step(&m))
-        })
+            if self.holds(&m) {
+                return Some(self.step(&m));
+            }
+            // A way that is barred is so to the millimetre as well.
+            if self.dear && self.holds_cheaply(&m) {
+                return None;
+            }
+        }
+        None
     }
 }
 
@@ -190,43 +231,6 @@ fn beside(own: &Pose, other: &Pose, few: bool) -> Vec<(f64, Vec<Pose>)> {
         }
     }
     out
-}
-
-/// At the walls of the room it is in: as near as can be, and in the corners. With each, whether it is in one.
-fn at_walls(own: &Pose, world: &World<f64>) -> Vec<(bool, Pose)> {
-    let here = Vec2::new(own.pos.x, own.pos.z);
-    let outlines = world.prisms().map(|(_, prism)| &prism.polygon).filter(|outline| outline.contains(here));
-    let Some(outline) = outlines.max_by(|a, b| a.area().total_cmp(&b.area())) else { return Vec::new() };
-    let off = own.scale.x.max(own.scale.z) / 2.0 + BESIDE[0];
-    let mut out = Vec::new();
-    for (a, b) in outline.edges() {
-        let long = (b - a).norm();
-        if long < 2.0 * off {
-            continue;
-        }
-        let along = (b - a) / long;
-        let inward = [Vec2::new(-along.y, along.x), Vec2::new(along.y, -along.x)];
-        let nearest = (here - a).dot(&along).clamp(off, long - off);
-        for at in [nearest, off, long - off] {
-            let spots = inward.map(|way| a + along * at + way * off);
-            for spot in spots.into_iter().filter(|spot| outline.contains(*spot)) {
-                let walls = outline.edges().filter(|(a, b)| distance(spot, *a, *b) < off + BESIDE[0]);
-                let pose = Pose { pos: Vec3::new(spot.x, own.pos.y, spot.y), ..*own };
-                // Two walls have the same corner.
-                if out.iter().all(|(_, known): &(bool, Pose)| (known.pos - pose.pos).norm() > BESIDE[0]) {
-                    out.push((walls.count() > 1, pose));
-                }
-            }
-        }
-    }
-    out
-}
-
-/// How far a place is from a wall.
-fn distance(at: Vec2, a: Vec2, b: Vec2) -> f64 {
-    let along = b - a;
-    let part = ((at - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-    (at - a - along * part).norm()
 }
 
 /// A place at the height of an object.

@@ -26,6 +26,8 @@ const RINGS: [f64; 6] = [0.15, 0.4, 0.8, 1.2, 1.6, 2.2];
 /// What a metre counts beside what is missing.
 const PULL: f64 = 0.05;
 
+/// What is moved out of a way by less than this is moved there step by step (metres).
+pub(super) const ASIDE: f64 = 0.4;
 /// So much less does a move count that ends better (metres).
 const SETTLED: f64 = 1e-6;
 /// What is turned by less than this from an axis is square to it (degrees).
@@ -163,9 +165,14 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
     /// What was found from places farther off.
     pub fn far(mut self) -> Vec<(f64, ObjectMove)> {
         let mut ranked: Vec<(f64, Move)> = Vec::new();
+        // What bars a way is not moved out of it by a hand's breadth: that was tried.
+        let barred = self.is_barred();
         for start in self.starts() {
             if self.spent() {
                 break;
+            }
+            if barred && start[0].hypot(start[2]) < ASIDE {
+                continue;
             }
             let missing = self.missing(&start);
             ranked.push((missing + PULL * self.cost(&self.step(&start)), start));
@@ -195,25 +202,57 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
     /// Moves in few and round numbers, the smallest first.
     fn in_words(mut self, found: Vec<Move>) -> Vec<(f64, ObjectMove)> {
         // What was found is put into words even if nothing more may be looked for.
-        if self.dear {
-            self.limit += 24 * self.goals.iter().map(|goal| self.stage.cost(*goal)).sum::<usize>();
-        }
+        let times = if self.dear { 1 } else { found.len() };
+        self.limit += 24 * times * self.goals.iter().map(|goal| self.stage.cost(*goal)).sum::<usize>();
         let mut out: Vec<(f64, ObjectMove)> = Vec::new();
+        found.iter().for_each(|m| self.say(*m, &mut out));
+        // What is better to look at comes after that: to find it may take all that is left.
         for m in found {
-            let tidy = self.tidied(m);
-            let tidy = self.put_down(tidy);
-            let plain = self.step(&tidy);
-            let cost = self.cost(&plain);
-            // Whoever goes so far goes the last centimetres for nothing.
-            let settled = self.settled(tidy).map(|m| (cost - SETTLED, self.step(&m)));
-            for (cost, step) in settled.into_iter().chain([(cost, plain)]) {
-                if !out.iter().any(|(_, other)| *other == step) {
-                    out.push((cost, step));
-                }
-            }
+            let better = [self.wholly_out(m), self.squared(m)];
+            better.into_iter().flatten().for_each(|m| self.say(m, &mut out));
         }
         out.sort_by(|a, b| a.0.total_cmp(&b.0));
         out
+    }
+
+    /// Whether a dear goal fails in the layout, as a way over the floor that is barred does.
+    pub(super) fn is_barred(&mut self) -> bool {
+        let dear: Vec<Goal> = self.goals.iter().copied().filter(|goal| self.stage.cost(*goal) > DEAR).collect();
+        dear.into_iter().any(|goal| !self.stage.holds_at_home(goal))
+    }
+
+    /// A move in few and round numbers, also as one that goes on for the last centimetres, if that is not among others.
+    fn say(&mut self, m: Move, out: &mut Vec<(f64, ObjectMove)>) {
+        let tidy = self.tidied(m);
+        let tidy = self.put_down(tidy);
+        let plain = self.step(&tidy);
+        let cost = self.cost(&plain);
+        // Whoever goes so far goes the last centimetres for nothing.
+        let settled = self.settled(tidy).map(|m| (cost - SETTLED, self.step(&m)));
+        for (cost, step) in settled.into_iter().chain([(cost, plain)]) {
+            if !out.iter().any(|(_, other)| *other == step) {
+                out.push((cost, step));
+            }
+        }
+    }
+
+    /// A move that ends square to the axes, near one that does not quite: what is put elsewhere is put there straight.
+    fn squared(&mut self, m: Move) -> Option<Move> {
+        if m[3] == 0.0 || m[..3] == [0.0; 3] || self.dear || self.spent() {
+            return None;
+        }
+        let yaw = self.stage.home(self.from.object)?.rot.y + self.from.turn + m[3];
+        let off = 90.0 * (yaw / 90.0).round() - yaw;
+        if off.abs() < 1e-9 || off.abs() > NEARLY_SQUARE {
+            return None;
+        }
+        let straight = [m[0], m[1], m[2], m[3] + off];
+        if self.holds(&straight) {
+            return Some(straight);
+        }
+        const PLANE: [bool; 4] = [true, false, true, false];
+        // Not shortened: that would turn it back.
+        self.follow(straight, PLANE)
     }
 
     /// Places around where the object is, and beside and on top of what the goals speak of; turned by quarters.
@@ -313,8 +352,21 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
         (0..self.goals.len()).all(|i| self.stage.truth(self.goals[i]).is_some_and(|t| t.holds))
     }
 
-    /// Follows the slopes of what fails until all goals hold: each step goes as far as the slope says it takes.
+    /// Whether all goals hold that are not dear.
+    pub(super) fn holds_cheaply(&mut self, m: &Move) -> bool {
+        self.put(m);
+        let cheap: Vec<Goal> = self.goals.iter().copied().filter(|goal| self.stage.cost(*goal) <= DEAR).collect();
+        cheap.into_iter().all(|goal| self.stage.truth(goal).is_some_and(|t| t.holds))
+    }
+
+    /// Follows the slopes of what fails, and takes back what is not needed.
     fn descend(&mut self, start: Move, mask: [bool; 4]) -> Option<Move> {
+        let found = self.follow(start, mask)?;
+        Some(self.shortened(found))
+    }
+
+    /// Follows the slopes of what fails until all goals hold: each step goes as far as the slope says it takes.
+    fn follow(&mut self, start: Move, mask: [bool; 4]) -> Option<Move> {
         let mut at = start;
         let mut blind = 0.1;
         for _ in 0..SWEEPS {
@@ -363,7 +415,7 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
                 }
             }
             if fine {
-                return Some(self.shortened(at));
+                return Some(at);
             }
         }
         None

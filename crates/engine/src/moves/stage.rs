@@ -307,6 +307,12 @@ impl<'a> Stage<'a> {
         }
     }
 
+    /// Whether some cheap statement speaks of both objects.
+    pub fn are_related(&self, a: ObjectId, b: ObjectId) -> bool {
+        let other = self.index.of_object(b);
+        self.index.of_object(a).iter().any(|i| self.costs[*i] <= DEAR && other.binary_search(i).is_ok())
+    }
+
     /// Cheap rows that hold and speak of an object.
     pub fn kept(&mut self, object: ObjectId) -> Vec<Goal> {
         let mut rows: Vec<RowRef> =
@@ -339,6 +345,13 @@ impl<'a> Stage<'a> {
         found
     }
 
+    /// Whether a row holds in the layout; a part of one does not.
+    pub fn holds_at_home(&mut self, goal: Goal) -> bool {
+        let Goal::Row(row) = goal else { return false };
+        self.learn(&[row]);
+        self.before(row).is_some_and(|t| t.holds)
+    }
+
     /// Learns the verdicts on rows in the layout; what is elsewhere is so again afterwards.
     fn learn(&mut self, rows: &[RowRef]) {
         if rows.iter().all(|row| self.before.contains_key(row)) {
@@ -362,7 +375,8 @@ impl<'a> Stage<'a> {
     }
 
     /// How much has become awkward that was not, these objects being the ones moved. What is moved and then stands alone in the
-    /// room counts although it did before; so does a chair that is carried farther, and belongs to nothing still.
+    /// room, or before a door, counts although it did before; so does a chair that is carried farther, and belongs to nothing
+    /// still.
     pub fn new_flaws(&mut self, moved: &[ObjectId]) -> usize {
         self.work += moved.len() * (4 + self.program.objects.len() / 16);
         let now = Sense::new(self.program, self.state.world()).flaws(moved);
@@ -381,12 +395,14 @@ impl<'a> Stage<'a> {
             let [home, pose] = [self.state.home(id), self.state.pose(id)];
             home.zip(pose).is_some_and(|(home, pose)| (pose.pos - home.pos).norm() > CARRIED)
         };
-        let counts = |flaw: &&Flaw| match flaw {
-            Flaw::Alone(_) => true,
-            Flaw::Stray(id) if far(*id) => true,
-            _ => !before(flaw),
+        let counts = |flaw: &Flaw| match flaw {
+            Flaw::Alone(_) => 1,
+            // Who moves something before a door moves it out of the way, however far that is.
+            Flaw::InTheWay(id, owner) if moved.contains(id) && self.role(*owner) == "door" => 2,
+            Flaw::Stray(id) if far(*id) => 1,
+            _ => usize::from(!before(flaw)),
         };
-        now.iter().filter(counts).count()
+        now.iter().map(counts).sum()
     }
 
     /// What judging a goal costs, in small comparisons.
@@ -424,8 +440,9 @@ impl<'a> Stage<'a> {
         }
         let node = self.scratch.deciding_from(formula, from);
         let mut objects = self.candidates(formula, from);
-        objects.extend(objects_of(formula, node));
+        // What is in the way is moved, rather than the ends of the way.
         objects.extend(in_the_way(formula, node, &self.scratch, self.state.world()));
+        objects.extend(objects_of(formula, node));
         if objects.is_empty() {
             objects = objects_of(formula, from);
         }

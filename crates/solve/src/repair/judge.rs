@@ -12,6 +12,7 @@ use scenelang_verify::report::model::RowKind;
 use scenelang_verify::{CheckVerdict, Detail, Explain, Options, check};
 
 /// What is to be repaired, and what fails besides.
+#[derive(Clone)]
 pub(super) struct Judge<'a> {
     pub program: &'a Program,
     pub layout: &'a Layout,
@@ -56,6 +57,16 @@ impl<'a> Judge<'a> {
             failing: failing.into_iter().collect(),
             verdict,
         })
+    }
+
+    /// The same, but doors and windows stay where they are, too; `None`: nothing else is asked for, or there are none.
+    pub fn holding_fittings(&self) -> Option<Self> {
+        let objects = (0..).map(ObjectId).zip(&self.program.objects);
+        let fittings =
+            objects.filter(|(id, o)| matches!(o.role.as_str(), "door" | "window") && !self.locked.contains(id));
+        let more: Vec<ObjectId> = fittings.map(|(id, _)| id).collect();
+        let locked: Vec<ObjectId> = self.locked.iter().chain(&more).copied().collect();
+        (!more.is_empty()).then(|| Self { locked, ..self.clone() })
     }
 
     /// Whether a row may fail after a change: it did before, and nobody asked to repair it.

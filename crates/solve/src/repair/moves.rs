@@ -49,8 +49,20 @@ fn moved(judge: &Judge<'_>, repair: &SmallestMove) -> Option<Layout> {
     Some(layout)
 }
 
-/// All that was found; the best first. With `careless`, preferences may break.
+/// All that was found; the best first. With `careless`, preferences may break. Doors and windows move only where nothing
+/// else helps, and what fails speaks of them.
 pub(super) fn all(judge: &Judge<'_>, options: &RepairOptions, careless: bool) -> Vec<Alternative> {
+    let Some(holding) = judge.holding_fittings() else { return searched(judge, options, careless) };
+    let held = searched(&holding, options, careless);
+    let about = |id: &ObjectId| holding.locked.contains(id) && !judge.locked.contains(id);
+    let fails = judge.verdict.rows.iter().filter(|judged| judge.targets.contains(&judged.row()));
+    if held.is_empty() && fails.flat_map(|judged| &judged.objects).any(about) {
+        return searched(judge, options, careless);
+    }
+    held
+}
+
+fn searched(judge: &Judge<'_>, options: &RepairOptions, careless: bool) -> Vec<Alternative> {
     let solver = room::solver(options);
     let fixtures = Fixtures::new(judge);
     let mut room = RepairSearch::new(judge, &fixtures, &solver, careless);
