@@ -61,7 +61,7 @@ fn constraints_and_their_parts() {
 #[test]
 fn a_part_of_a_conjunction_says_whether_it_holds() {
     for (statement, state) in [
-        ("assert ga$0p(stand[1], bed) >= 0 and lamp.top > 3;", "\n---\nholds, margin **+"),
+        ("assert ga$0p(stand[0], bed) >= 0.01 and lamp.top > 3;", "\n---\nholds, margin **+"),
         ("assert ga$0p(stand[1], bed) >= 2 and lamp.top > 0.5;", "\n---\n**fails**, margin **−"),
         ("assert gap(stand[1], bed) >= 2 and ne$0ar(lamp, bed, 5);", "\n---\nholds, margin **+"),
         // An instance of a quantifier, and what is behind another `and`.
