@@ -3,12 +3,13 @@
 use crate::alternatives::{Alternatives, alternatives};
 use crate::dispatch::{Fault, params, sent};
 use crate::jobs::{Job, JobOutcome};
+use crate::refuted::{Sought, unless_refuted};
 use crate::repair::{self, Wanted};
 use crate::state::State;
 use scenelang_lang::program::{Object, ObjectId};
 use scenelang_layout::Layout;
 use scenelang_solve::Phase;
-use scenelang_synth::{Adviser, Arranging, Observer, Stage, arrange, too_large};
+use scenelang_synth::{Adviser, Arranged, Arranging, Observer, Stage, arrange, too_large};
 use scenelang_verify::CheckVerdict;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -220,16 +221,8 @@ fn solve(job: &Job, seed: Option<u64>, start: Start, hold: &Hold) -> Result<JobO
         Start::Layout => (there.cloned(), hold.objects(job)?),
         Start::Nothing => hold.anew(job)?,
     };
-    let how = Arranging {
-        previous: kept.as_ref(),
-        locked,
-        seed,
-        judge: job.judging.options,
-        stop: job.stop.clone(),
-        ..Arranging::default()
-    };
-    let arranged = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled)?;
-    let mut layout = arranged.outcome.layout;
+    let how = Arranging { previous: kept.as_ref(), locked, seed, judge: job.judging.options, ..Arranging::default() };
+    let mut layout = arranged(job, how, adviser)?.outcome.layout;
     layout.seed = Some(seed);
     let count @ [holds, total] = count(&job.verdict(&layout, 0));
     let edit = job.layout_edit(&layout)?;
@@ -260,17 +253,9 @@ fn place(job: &Job, object: &str) -> Result<JobOutcome, Fault> {
     let objects = (0..).map(ObjectId).zip(&program.objects);
     let locked = objects.filter(|(_, o)| placed.object(&o.name).is_some()).map(|(id, _)| id).collect();
     let seed = layout.seed.unwrap_or(0);
-    let how = Arranging {
-        previous: Some(&placed),
-        locked,
-        seed,
-        judge: job.judging.options,
-        stop: job.stop.clone(),
-        ..Arranging::default()
-    };
-    let arranged = arrange(program, how, None, &mut Watch(job)).ok_or(Fault::Cancelled)?;
+    let how = Arranging { previous: Some(&placed), locked, seed, judge: job.judging.options, ..Arranging::default() };
     let mut after = layout.clone();
-    let found = arranged.outcome.layout;
+    let found = arranged(job, how, None)?.outcome.layout;
     for (name, found) in found.objects {
         if program.objects.iter().any(|o| own(o) && o.name == name) {
             after.objects.retain(|(there, _)| *there != name);
@@ -285,6 +270,19 @@ fn place(job: &Job, object: &str) -> Result<JobOutcome, Fault> {
     let message = format!("placed `{object}`: {holds} of {total} hold");
     let change = job.change(Some(&edit), &[], &message);
     Ok(JobOutcome { layout: Some(edit), edit: change, message, count, moves: Vec::new() })
+}
+
+/// A layout of the program, unless it is proved that there is none.
+///
+/// # Errors
+/// No layout satisfies the program, or nobody waits any more.
+fn arranged(job: &Job, how: Arranging<'_>, adviser: Option<Adviser<'_>>) -> Result<Arranged, Fault> {
+    unless_refuted(job, how.previous, |stop| {
+        let how = Arranging { stop: stop.clone(), ..how };
+        let found = arrange(&job.compiled.program, how, adviser, &mut Watch(job)).ok_or(Fault::Cancelled);
+        let converged = found.as_ref().is_ok_and(|found| found.outcome.converged);
+        Sought { result: found, converged }
+    })
 }
 
 /// Tells how far the solver is, and ends it when nobody wants the result.

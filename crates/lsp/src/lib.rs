@@ -34,6 +34,7 @@ mod provisional;
 mod publish;
 mod reading;
 mod record;
+mod refuted;
 mod repair;
 mod shelf;
 mod state;

@@ -4,10 +4,12 @@ use crate::commands::{Watch, count};
 use crate::dispatch::{Fault, params, sent};
 use crate::jobs::Job;
 use crate::picture::{Picture, Shown};
-use crate::state::State;
+use crate::refuted::{Sought, unless_refuted};
+use crate::state::{State, Stop};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_synth::{Arranging, arrange, too_large};
+use scenelang_verify::CheckVerdict;
 use serde::Deserialize;
 use serde_json::Value;
 use std::sync::Arc;
@@ -47,27 +49,31 @@ fn room(job: &Job, known: Option<&str>) -> Result<(Layout, Shown), Fault> {
         return Err(Fault::Failed(finding.message));
     }
     let before = job.provisional.as_deref();
-    let find = |locked: Vec<ObjectId>| {
-        let how = Arranging {
-            previous: before,
-            locked,
-            judge: job.judging.options,
-            stop: job.stop.clone(),
-            ..Arranging::default()
-        };
-        let arranged = arrange(program, how, None, &mut Watch(job)).ok_or(Fault::Cancelled)?;
-        let verdict = job.verdict(&arranged.outcome.layout, 0);
-        Ok::<_, Fault>((arranged.outcome.layout, verdict))
-    };
     let there = before.map_or_else(Vec::new, |before| {
         let objects = (0..).map(ObjectId).zip(&program.objects);
         objects.filter(|(_, o)| before.object(&o.name).is_some()).map(|(id, _)| id).collect()
     });
-    let (mut layout, mut verdict) = find(there)?;
-    let [holds, total] = count(&verdict);
-    if before.is_some() && holds < total {
-        (layout, verdict) = find(Vec::new())?;
-    }
+    let find = |locked: Vec<ObjectId>, stop: &Stop| {
+        let how = Arranging {
+            previous: before,
+            locked,
+            judge: job.judging.options,
+            stop: stop.clone(),
+            ..Arranging::default()
+        };
+        let arranged = arrange(program, how, None, &mut Watch(job)).ok_or(Fault::Cancelled)?;
+        let verdict = job.verdict(&arranged.outcome.layout, 0);
+        Ok::<_, Fault>((arranged.outcome.layout, verdict, arranged.outcome.converged))
+    };
+    let (layout, verdict) = unless_refuted(job, before, |stop| {
+        let all_hold = |verdict: &CheckVerdict| count(verdict)[0] == count(verdict)[1];
+        let found = match find(there, stop) {
+            Ok((_, verdict, _)) if before.is_some() && !all_hold(&verdict) => find(Vec::new(), stop),
+            found => found,
+        };
+        let converged = found.as_ref().is_ok_and(|(.., converged)| *converged);
+        Sought { result: found.map(|(layout, verdict, _)| (layout, verdict)), converged }
+    })?;
     let picture = Picture {
         path: &job.path,
         program,

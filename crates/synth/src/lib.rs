@@ -18,6 +18,7 @@ pub use corridor::{
     Advice, Adviser, Arranged, Arranging, Failure, Furnishings, JudgedLayout, LayoutRequest, Made, Observer, PLANNED,
     Solved, Stage, arrange, compiled, furnished, numbered, solve, solve_with, too_large,
 };
+pub use doubt::{Ended, doubted};
 pub use furnish::{Chosen, Earlier, Furnished, asset_of, furnish, furnish_from, queries};
 pub use hold::Hold;
 pub use manifest::{manifest, told};

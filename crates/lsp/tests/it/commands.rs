@@ -410,3 +410,29 @@ fn a_room_beside_follows_the_cursor() {
     assert_eq!(client.refused("workspace/executeCommand", ask), (-32803, "nobody shows it".to_owned()));
     client.stop();
 }
+
+/// Who looks for a layout of a program that has none is told why, with the statements that contradict each other, and without a
+/// search: solving anew, beginning with a layout, with several seeds, or for a room that is only shown.
+#[test]
+fn what_cannot_be_is_not_searched_for() {
+    let (folder, scene, _) = room();
+    let without = STUDY.replace("\nassert", "\nassert chair.pos.x > 1;\nassert chair.pos.x < 0;\nassert");
+    let with = format!("{scene}assert bed.pos.x > 1;\nassert bed.pos.x < 0;\n");
+    let mut client = Client::start(folder.path());
+    for (file, text, object) in [("new.scene", &without, "chair"), ("room.scene", &with, "bed")] {
+        let uri = client.open(file, text);
+        client.published(&uri);
+        let of = json!({ "uri": uri });
+        for command in ["scenelang.solve", "scenelang.solveAnew", "scenelang.alternatives"] {
+            let ask = json!({ "command": command, "arguments": [of] });
+            let (code, why) = client.refused("workspace/executeCommand", ask);
+            assert_eq!(code, -32803);
+            for member in ["> 1", "< 0"] {
+                assert!(why.contains(&format!("`{object}.pos.x {member}` (line ")), "{command}: {why}");
+            }
+        }
+    }
+    let (_, why) = client.refused("scenelang/provisional", json!({ "uri": client.uri("new.scene") }));
+    assert!(why.starts_with("no layout satisfies all of these statements: "), "{why}");
+    client.stop();
+}

@@ -29,7 +29,7 @@ mod whole;
 use crate::problem::pose::{Pose, half_turn};
 pub use edit::edited;
 use judge::Judge;
-pub use relax::{Relaxed, in_statement};
+pub use relax::{Relaxed, has_numbers, in_statement};
 use scenelang_base::{Edit, SourceMap};
 use scenelang_engine::limit::Stop;
 use scenelang_engine::{Reads, row_of};
@@ -223,6 +223,22 @@ pub fn repair(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> 
     Ok(Repaired { failing, contradiction, alternatives })
 }
 
+/// Looks for numbers of the program whose change repairs a layout, and for nothing else; with the smallest set of statements
+/// that cannot hold together, if what is to be repaired belongs to one.
+///
+/// # Errors
+/// The layout cannot be judged.
+pub fn by_numbers(damaged: &Damaged<'_>, which: &Which, options: &RepairOptions) -> Result<Repaired, Unjudged> {
+    let judge = Judge::new(damaged, which, options)?;
+    let failing = judge.targets.clone();
+    let contradiction = contradiction(&judge, options);
+    let found = damaged.text.as_ref().filter(|_| !failing.is_empty()).map(|text| {
+        let apart = preference::apart(&judge, contradiction.as_ref());
+        relax::numbers(&judge, text, options, &apart)
+    });
+    Ok(Repaired { failing, contradiction, alternatives: found.unwrap_or_default() })
+}
+
 /// Whether a row speaks of nothing but what stays where it is, locked or pinned, so that no move repairs it.
 fn is_stuck(judge: &Judge<'_>, row: &RowRef) -> bool {
     let pinned = |owner: Owner, what: Pinned| {
@@ -271,7 +287,7 @@ fn contradiction(judge: &Judge<'_>, options: &RepairOptions) -> Option<Contradic
 }
 
 /// Whether things stand upright in a layout and rooms are not turned, as proofs may take for granted.
-fn is_usual(layout: &Layout) -> bool {
+pub fn is_usual(layout: &Layout) -> bool {
     const UPRIGHT: f64 = 0.01;
     let upright = |rot: &Vec3| [rot.x, rot.z].iter().all(|angle| half_turn(*angle).abs() < UPRIGHT);
     let level = |rot: &Vec3| rot.iter().all(|angle| half_turn(*angle).abs() < UPRIGHT);
