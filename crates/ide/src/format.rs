@@ -43,6 +43,30 @@ pub fn difference(old: &str, new: &str) -> Option<Replacement> {
     differing(old, new, 0)
 }
 
+/// What makes one text another: the lines that differ, run by run, where both have as many; else as [`difference`].
+pub fn differences(old: &str, new: &str) -> Vec<Replacement> {
+    if old.matches('\n').count() != new.matches('\n').count() {
+        return difference(old, new).into_iter().collect();
+    }
+    let mut out: Vec<Replacement> = Vec::new();
+    let mut at = 0;
+    for (a, b) in old.split_inclusive('\n').zip(new.split_inclusive('\n')) {
+        let range = TextRange::new(at, at + a.len());
+        at += a.len();
+        if a == b {
+            continue;
+        }
+        match out.last_mut() {
+            Some((last, text)) if last.end == range.start => {
+                last.end = range.end;
+                text.push_str(b);
+            }
+            _ => out.push((range, b.to_owned())),
+        }
+    }
+    out
+}
+
 /// The part of a text that differs from another, whole lines as far as these are alike.
 fn differing(old: &str, new: &str, at: u32) -> Option<Replacement> {
     if old == new {
@@ -89,6 +113,24 @@ mod tests {
         assert_eq!(file("object a;\n"), None);
         for text in ["", "object a", "object  a;object b;", "a<-1;\r\n\r\n\r\nobject a;", "object a;\n\n\n\n// x\n"] {
             assert_eq!(apply(text, file(text)), format(text, &FormatOptions::default()), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn lines_that_are_alike_stay_between_others() {
+        let old = "a\nb\nc\nd\ne\n";
+        for (new, count) in [
+            (old, 0),
+            ("A\nb\nc\nd\nE\n", 2),
+            ("a\nB\nC\nd\ne\n", 1),
+            ("A\nb\nc\nd\n", 1),
+            ("a\nb\nx\nc\nd\nE\n", 1),
+            ("a\nb\nc\nD\nE", 1),
+        ] {
+            let found = differences(old, new);
+            let mut text = old.to_owned();
+            found.iter().rev().for_each(|(range, with)| text.replace_range(range.bytes(), with));
+            assert_eq!((text.as_str(), found.len()), (new, count), "{found:?}");
         }
     }
 

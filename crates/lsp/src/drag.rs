@@ -139,7 +139,7 @@ impl State {
         let live = Live::new(&judged.compiled.program, moved, &options);
         let name = context.snapshot.sources().get(old.file).name();
         let answer = scenelang_engine::moved(&live, &judged.compiled.program, context.snapshot.sources(), name);
-        let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before) };
+        let layout = LayoutEdit { path: old.path.clone(), uri, text, old: Some(before), edits: made };
         let message = format!("move {object}");
         let edit = (!edits.is_empty()).then_some(edit);
         self.apply_with(

@@ -10,16 +10,16 @@ use crate::text::Text;
 use scenelang_analysis::Judging;
 use scenelang_base::door::relative;
 use scenelang_base::owned::{self, Standing};
-use scenelang_base::{Edit, FileId, SourceMap};
+use scenelang_base::{Edit, FileId, SourceMap, TextRange, fix};
 use scenelang_engine::check_read;
 use scenelang_export::scene::Memory;
-use scenelang_ide::actions::Ghost;
+use scenelang_ide::actions::{self, Ghost};
 use scenelang_ide::{Compiled, LayoutFile};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, file as layout_file};
 use scenelang_verify::settings::Llm;
 use scenelang_verify::{CheckVerdict, Explain};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -105,13 +105,25 @@ impl Job {
         if layout.scene.is_none() {
             layout.scene = Some(relative(&self.path, path.parent().unwrap_or(Path::new(""))));
         }
-        let document = self.layout.as_ref().filter(|l| l.read.usable).map(|l| &l.read.document);
-        let text = layout_file::to_json(&layout, document);
+        let there = self.layout.as_ref().filter(|l| l.read.usable);
         let old = self.layout.as_ref().map(|l| self.sources.get(l.file).text());
+        let before = old.map(|old| Text::new(old.to_owned()));
         // The command line replaces what scenelang wrote, and nothing that somebody edited.
         let ours = old.is_none_or(|old| matches!(owned::said(old.as_bytes()), Standing::Ours | Standing::Free));
+        // What somebody edited keeps its form.
+        if let (Some(there), Some(old), false) = (there, old, ours)
+            && let Some(edits) = actions::changing(there, old, &layout)
+        {
+            let edits: Vec<Edit<TextRange>> =
+                edits.into_iter().map(|e| Edit { place: e.place.range, text: e.text }).collect();
+            let text = fix::apply(old, [edits.as_slice()]).text;
+            return Ok(LayoutEdit { path, uri, text, old: before, edits });
+        }
+        let text = layout_file::to_json(&layout, there.map(|l| &l.read.document));
         let text = if ours { owned::sealed_json(&text) } else { text };
-        Ok(LayoutEdit { path, uri, text, old: old.map(|old| Text::new(old.to_owned())) })
+        let edits = old.map_or_else(Vec::new, |old| scenelang_ide::format::differences(old, &text));
+        let edits = edits.into_iter().map(|(place, text)| Edit { place, text }).collect();
+        Ok(LayoutEdit { path, uri, text, old: before, edits })
     }
 
     /// Edits of the layout and of the program as a change of the workspace; `note` says what it does, for editors that
@@ -120,11 +132,9 @@ impl Job {
     pub fn change(&self, layout: Option<&LayoutEdit>, program: &[Edit], note: &str) -> Option<WorkspaceChange> {
         let encoding = self.client.encoding;
         let mut by_file = self.places().by_file(program);
-        if let Some(LayoutEdit { uri, text, old: Some(old), .. }) = layout
-            && let Some((place, text)) = scenelang_ide::format::difference(old.as_str(), text)
-        {
-            let change = TextChange::new(old.range(place, encoding), text);
-            by_file.entry(uri.as_str().to_owned()).or_default().push(change);
+        if let Some(LayoutEdit { uri, old: Some(old), edits, .. }) = layout.filter(|l| !l.edits.is_empty()) {
+            let changes = edits.iter().map(|e| TextChange::new(old.range(e.place, encoding), e.text.clone()));
+            by_file.entry(uri.as_str().to_owned()).or_default().extend(changes);
         }
         if by_file.is_empty() {
             return None;
@@ -148,6 +158,8 @@ pub struct LayoutEdit {
     pub text: String,
     /// What it was; `None`: there was none.
     pub old: Option<Text>,
+    /// What makes it of that.
+    pub edits: Vec<Edit<TextRange>>,
 }
 
 /// What came of long work.
@@ -237,24 +249,37 @@ struct Proposal {
 }
 
 /// Where a change would put objects of a program: for a picture of it before it is made.
-#[derive(Serialize)]
+#[derive(Clone, Deserialize, Serialize)]
 pub struct Shown {
-    uri: Uri,
-    moves: Vec<Moved>,
+    pub uri: Uri,
+    pub moves: Vec<Moved>,
+    /// What would be written in the program.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub texts: Vec<Written>,
+    /// Which margins it would change, in words, as soon as that has been worked out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub margins: Vec<String>,
 }
 
 /// Where an object stands afterwards.
-#[derive(Serialize)]
-struct Moved {
-    object: String,
-    pos: [f64; 3],
-    rot: [f64; 3],
+#[derive(Clone, Deserialize, Serialize)]
+pub struct Moved {
+    pub object: String,
+    pub pos: [f64; 3],
+    pub rot: [f64; 3],
+}
+
+/// Another text for bytes of the program.
+#[derive(Clone, Deserialize, Serialize)]
+pub struct Written {
+    pub bytes: [u32; 2],
+    pub text: String,
 }
 
 impl Shown {
     pub fn new(uri: Uri, moves: &[Ghost]) -> Self {
         let moved = |m: &Ghost| Moved { object: m.object.clone(), pos: m.pos.into(), rot: m.rot.into() };
-        Self { uri, moves: moves.iter().map(moved).collect() }
+        Self { uri, moves: moves.iter().map(moved).collect(), texts: Vec::new(), margins: Vec::new() }
     }
 }
 

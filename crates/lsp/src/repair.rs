@@ -4,8 +4,9 @@
 use crate::advised::advised;
 use crate::commands::{Hold, count};
 use crate::dispatch::Fault;
-use crate::jobs::{Job, JobOutcome};
-use scenelang_base::{SourceFile, SourceMap};
+use crate::jobs::{Job, JobOutcome, Moved, Shown, Written};
+use crate::refuted::refusal;
+use scenelang_base::{Edit, SourceFile, SourceMap, TextRange};
 use scenelang_ide::actions::Ghost;
 use scenelang_ide::diagnostics::margin;
 use scenelang_lang::Program;
@@ -13,11 +14,12 @@ use scenelang_lang::program::ObjectId;
 use scenelang_layout::{Layout, Placement};
 use scenelang_solve::Pose;
 use scenelang_solve::repair::told::title;
-use scenelang_solve::repair::{Alternative, Damaged, How, Moved, RepairOptions, Text, Which, repair as look};
+use scenelang_solve::repair::{
+    Alternative, Damaged, How, Moved as Carried, RepairOptions, Text, Unjudged, Which, by_numbers, repair as look,
+};
 use scenelang_verify::CheckVerdict;
 use scenelang_verify::check::{Judged, Subject};
 use scenelang_verify::explain::RowRef;
-use scenelang_verify::prove::Contradiction;
 use scenelang_verify::report::model::RowKind;
 
 /// What is to be repaired.
@@ -58,11 +60,6 @@ pub fn repair(job: &Job, wanted: &Wanted, hold: &Hold) -> Result<JobOutcome, Fau
         });
     }
     let locked = hold.objects(job)?;
-    let asked = if matches!(wanted, Wanted::Program(_)) { None } else { by_model(job, layout, &before, &targets)? };
-    let obeys = |found: &Alternative| !found.moves.iter().any(|moved| locked.contains(&moved.object));
-    if let Some(found) = asked.filter(obeys) {
-        return offer(job, layout, &before, &found, PROPOSED);
-    }
     let text = Text {
         name: job.sources.get(job.main).name(),
         path: job.sources.get(job.main).path(),
@@ -71,6 +68,14 @@ pub fn repair(job: &Job, wanted: &Wanted, hold: &Hold) -> Result<JobOutcome, Fau
         sources: &job.sources,
     };
     let damaged = Damaged { program: &job.compiled.program, layout, text: Some(text) };
+    if matches!(wanted, Wanted::Program(_)) {
+        return changed(job, &damaged, (&which, &before));
+    }
+    let asked = by_model(job, layout, &before, &targets)?;
+    let obeys = |found: &Alternative| !found.moves.iter().any(|moved| locked.contains(&moved.object));
+    if let Some(found) = asked.filter(obeys) {
+        return offer(job, layout, &before, &found, PROPOSED);
+    }
     for (round, budget) in BUDGETS.into_iter().enumerate() {
         if job.stop.is_set() {
             return Err(Fault::Cancelled);
@@ -78,40 +83,38 @@ pub fn repair(job: &Job, wanted: &Wanted, hold: &Hold) -> Result<JobOutcome, Fau
         job.progress.say(&format!("looking for the smallest change, round {}", round + 1));
         let (judge, stop) = (job.judging.options, job.stop.clone());
         let options = RepairOptions { budget, judge, stop, locked: locked.clone(), ..RepairOptions::default() };
-        let unjudged = |_| Fault::Failed("the layout cannot be checked completely; its diagnostics say why".to_owned());
         let found = look(&damaged, &which, &options).map_err(unjudged)?;
         // An assertion is weakened only by an action that says so.
-        let how = if matches!(wanted, Wanted::Program(_)) { How::Numbers } else { How::Moves };
-        if let Some(chosen) = found.alternatives.iter().find(|a| a.how == how) {
+        if let Some(chosen) = found.alternatives.iter().find(|a| a.how == How::Moves) {
             return offer(job, layout, &before, chosen, "");
         }
-        if let Some(contradiction) = found.contradiction.filter(|_| how == How::Moves) {
+        if let Some(contradiction) = found.contradiction {
             return Err(Fault::Failed(refusal(job, &contradiction)));
         }
     }
-    Err(Fault::Failed(match wanted {
-        Wanted::Program(_) => "no number was found whose change would repair it".to_owned(),
-        _ if !locked.is_empty() => {
-            let names = locked.iter().map(|id| format!("`{}`", job.compiled.program.objects[id.0 as usize].name));
-            let names = names.collect::<Vec<_>>().join(", ");
-            format!("no move was found that repairs it and leaves what is locked in place: {names}")
-        }
-        _ => "no move was found that repairs it, which is not a proof that none exists; the program can be changed instead".to_owned(),
+    Err(Fault::Failed(if locked.is_empty() {
+        "no move was found that repairs it, which is not a proof that none exists; the program can be changed instead"
+            .to_owned()
+    } else {
+        let names = locked.iter().map(|id| format!("`{}`", job.compiled.program.objects[id.0 as usize].name));
+        let names = names.collect::<Vec<_>>().join(", ");
+        format!("no move was found that repairs it and leaves what is locked in place: {names}")
     }))
 }
 
-/// Why there is nothing to look for: the smallest set of statements that cannot hold together.
-fn refusal(job: &Job, found: &Contradiction) -> String {
-    let places = job.places();
-    let constraints = &job.compiled.program.constraints;
-    let member = |i: &usize| {
-        let line = places.range(constraints[*i].span).start.line + 1;
-        format!("`{}` (line {line})", constraints[*i].text.split_whitespace().collect::<Vec<_>>().join(" "))
-    };
-    let members: Vec<String> = found.statements.iter().map(member).collect();
-    match members.as_slice() {
-        [one] => format!("no layout satisfies {one}"),
-        all => format!("no layout satisfies all of these statements: {}", all.join(", ")),
+fn unjudged(_: Unjudged) -> Fault {
+    Fault::Failed("the layout cannot be checked completely; its diagnostics say why".to_owned())
+}
+
+/// The smallest change of a number in the program after which some rows hold. Nothing is searched for that.
+fn changed(job: &Job, damaged: &Damaged<'_>, (which, before): (&Which, &CheckVerdict)) -> Result<JobOutcome, Fault> {
+    let (judge, stop) = (job.judging.options, job.stop.clone());
+    let options = RepairOptions { judge, stop, ..RepairOptions::default() };
+    let found = by_numbers(damaged, which, &options).map_err(unjudged)?;
+    match (found.alternatives.first(), found.contradiction) {
+        (Some(chosen), _) => offer(job, damaged.layout, before, chosen, ""),
+        (None, Some(contradiction)) => Err(Fault::Failed(refusal(job, &contradiction))),
+        (None, None) => Err(Fault::Failed("no number was found whose change would repair it".to_owned())),
     }
 }
 
@@ -132,6 +135,8 @@ fn which(job: &Job, wanted: &Wanted, before: &CheckVerdict) -> Result<Which, Fau
         let here = row.place.file == job.main;
         match row.subject {
             Subject::Statement(_) => here && on_line(row.place),
+            // No number of the program changes a physical rule.
+            _ if matches!(wanted, Wanted::Program(_)) => false,
             Subject::Pair(a, b) => own(&a) || own(&b),
             Subject::Object(a) | Subject::Part(a, _) => own(&a),
         }
@@ -189,13 +194,13 @@ fn by_model(
 }
 
 /// What stands elsewhere in another layout.
-fn moved(program: &Program, from: &Layout, to: &Layout) -> Vec<Moved> {
+fn moved(program: &Program, from: &Layout, to: &Layout) -> Vec<Carried> {
     let pose = |p: &Placement| Pose { pos: p.pos, rot: p.rot, scale: p.scale };
     let objects = program.objects.iter().enumerate();
     let differs = objects.filter_map(|(id, object)| {
         let (a, b) = (from.object(&object.name)?, to.object(&object.name)?);
         let far = (a.pos - b.pos).amax().max((a.rot - b.rot).amax()) > 1e-6;
-        far.then(|| Moved { object: ObjectId(id as u32), from: pose(a), to: pose(b), with: None })
+        far.then(|| Carried { object: ObjectId(id as u32), from: pose(a), to: pose(b), with: None })
     });
     differs.collect()
 }
@@ -211,14 +216,14 @@ fn offer(
     chosen: &Alternative,
     by: &str,
 ) -> Result<JobOutcome, Fault> {
-    let after = verified(job, chosen)?;
+    let after = verified(job, &chosen.edits, &chosen.layout)?;
     let changes_layout = !chosen.moves.is_empty() || !chosen.also.is_empty() || *layout != chosen.layout;
     let edit = if changes_layout { Some(job.layout_edit(&chosen.layout)?) } else { None };
     let message = format!("{by}{}", title(&job.compiled.program, &job.sources, chosen));
     let margins = margins(&job.compiled.program, before, &after);
     let note = if margins.is_empty() { message } else { format!("{message}\n{}", margins.join("\n")) };
     let change = job.change(edit.as_ref(), &chosen.edits, &note);
-    let ghost = |m: &Moved| {
+    let ghost = |m: &Carried| {
         let object = job.compiled.program.objects[m.object.0 as usize].name.to_string();
         Ghost { object, pos: m.to.pos, rot: m.to.rot }
     };
@@ -226,20 +231,42 @@ fn offer(
     Ok(JobOutcome { layout: edit, edit: change, message: note, count: count(&after), moves })
 }
 
+/// Which margins a change would change that was only shown.
+///
+/// # Errors
+/// There is no layout, or it would no longer be one that can be judged.
+pub fn effect(job: &Job, shown: &Shown) -> Result<Vec<String>, Fault> {
+    let layout = job.layout.as_ref().filter(|l| l.read.usable);
+    let before = &layout.ok_or_else(|| Fault::Failed("there is no layout".to_owned()))?.read.layout;
+    let mut after = before.clone();
+    for Moved { object, pos, rot } in &shown.moves {
+        if let Some((_, placed)) = after.objects.iter_mut().find(|(name, _)| name == object.as_str()) {
+            (placed.pos, placed.rot) = ((*pos).into(), (*rot).into());
+        }
+    }
+    let edits = shown.texts.iter().map(|Written { bytes: [start, end], text }| {
+        let place = TextRange { start: *start, end: *end }.in_file(job.main);
+        Edit { place, text: text.clone() }
+    });
+    let edits: Vec<Edit> = edits.collect();
+    let verdict = verified(job, &edits, &after)?;
+    Ok(margins(&job.compiled.program, &job.verdict(before, 0), &verdict))
+}
+
 /// What holds after a change of layout and program.
-fn verified(job: &Job, chosen: &Alternative) -> Result<CheckVerdict, Fault> {
-    if chosen.edits.is_empty() {
-        return Ok(job.verdict(&chosen.layout, 0));
+fn verified(job: &Job, edits: &[Edit], layout: &Layout) -> Result<CheckVerdict, Fault> {
+    if edits.is_empty() {
+        return Ok(job.verdict(layout, 0));
     }
     let overlap = || Fault::Failed("the edits overlap".to_owned());
-    let texts = scenelang_solve::repair::edited(&job.sources, &chosen.edits).ok_or_else(overlap)?;
+    let texts = scenelang_solve::repair::edited(&job.sources, edits).ok_or_else(overlap)?;
     let main = job.sources.get(job.main);
     let text = texts.iter().find(|(id, _)| **id == job.main).map_or(main.text(), |(_, text)| text.as_str());
     let mut sources = SourceMap::new();
     let id = sources.add(SourceFile::new(main.name(), main.path(), text));
     let compiled = scenelang_lang::compile_main(id, scenelang_lang::Options::default(), &job.files, sources);
     let broken = || Fault::Failed("the program would no longer compile".to_owned());
-    Ok(scenelang_verify::check(&compiled.program.ok_or_else(broken)?, &chosen.layout, &job.judging.options))
+    Ok(scenelang_verify::check(&compiled.program.ok_or_else(broken)?, layout, &job.judging.options))
 }
 
 /// Which margins a change changes, the first few: `text: −0.07 m → +0.00 m`.

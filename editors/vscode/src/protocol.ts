@@ -97,6 +97,8 @@ export interface Question {
 export interface Shown {
   readonly uri: string;
   readonly moves: readonly { readonly object: string; readonly pos: readonly number[]; readonly rot: readonly number[] }[];
+  /** Which margins it would change, in words; none as long as that has not been worked out. */
+  readonly margins?: readonly string[];
 }
 
 /** One of what `scenelang.alternatives` answers: a layout that its seed makes again. */

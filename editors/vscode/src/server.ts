@@ -192,18 +192,23 @@ export class Server implements vscode.Disposable {
         return actions;
       },
       resolveCodeAction: async (action, token, next) => {
-        const ask = (edit: vscode.WorkspaceEdit, title: string, shown: Shown | null) => {
+        const ask = (edit: vscode.WorkspaceEdit, title: string, found: vscode.CodeAction) => {
+          const shown = shownOf(found);
           delete action.edit;
-          action.command = this.confirmations.command({ title, margins: [], edit, shown });
+          action.command = this.confirmations.command({ title, margins: shown?.margins ?? [], edit, shown });
           return action;
         };
         const held = this.held.get(action);
-        if (held !== undefined) return ask(held, action.title, shownOf(action));
+        if (held !== undefined) {
+          // Which margins it changes is worked out when it is chosen; without them it is asked about all the same.
+          const judged = await Promise.resolve(next(action, token)).catch(() => null);
+          return ask(held, action.title, judged ?? action);
+        }
         try {
           const repair = isRepair(action);
           const found = await next(action, token);
           // Its title now says what the repair is, and whose idea.
-          return repair && found?.edit !== undefined ? ask(found.edit, found.title, shownOf(found)) : found;
+          return repair && found?.edit !== undefined ? ask(found.edit, found.title, found) : found;
         } catch (error) {
           if (!isCancelled(error)) void vscode.window.showWarningMessage(`${action.title}: ${reason(error)}`);
           return action;
@@ -248,7 +253,7 @@ export class Server implements vscode.Disposable {
 /** Where an action would put objects; `null`: it moves none, or that is not known yet. */
 function shownOf(action: vscode.CodeAction): Shown | null {
   const data = (action as { readonly data?: Partial<Shown> }).data;
-  return typeof data?.uri === "string" && Array.isArray(data.moves) ? { uri: data.uri, moves: data.moves } : null;
+  return typeof data?.uri === "string" && Array.isArray(data.moves) ? { uri: data.uri, moves: data.moves, margins: data.margins ?? [] } : null;
 }
 
 /** Whether an action is a repair that the server works out when it is chosen. */

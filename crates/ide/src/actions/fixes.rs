@@ -6,7 +6,8 @@ use crate::{LayoutFile, Snapshot};
 use scenelang_base::{Edit, FileId, TextRange, codes, fix};
 use scenelang_lang::db::Cancelled;
 use scenelang_lang::program::Program;
-use scenelang_layout::Vec3;
+use scenelang_layout::file::MemberPlace;
+use scenelang_layout::{Layout, Placement, Vec3};
 use scenelang_verify::explain::{ObjectMove, move_in_words};
 
 pub(super) fn of_finding(snapshot: &Snapshot, finding: &Finding, out: &mut Vec<Action>) -> Result<(), Cancelled> {
@@ -124,6 +125,44 @@ pub fn placing(layout: &LayoutFile, name: &str, pos: Vec3, rot: Vec3) -> Option<
     }
     Some(edits)
 }
+
+/// Other places for objects, and another seed, as edits of the layout's text: of the numbers that change, and nothing else,
+/// however the file is formatted. `None`: something else changes as well.
+pub fn changing(layout: &LayoutFile, text: &str, to: &Layout) -> Option<Vec<Edit>> {
+    let mut edits = Vec::new();
+    if let Some(seed) = to.seed.filter(|seed| layout.read.layout.seed != Some(*seed)) {
+        let MemberPlace { key, value } = layout.read.places.top.get("seed")?.place;
+        let place = TextRange { start: key.range.start, end: value.range.end }.in_file(key.file);
+        edits.push(Edit { place, text: format!("\"seed\": {seed}") });
+    }
+    for (name, placed) in &to.objects {
+        edits.extend(placing(layout, name, placed.pos, placed.rot)?);
+    }
+    let own: Vec<Edit<TextRange>> = edits.iter().map(|e| Edit { place: e.place.range, text: e.text.clone() }).collect();
+    let after = fix::apply(text, [own.as_slice()]);
+    // What that makes of the file is what is wanted, to the rounding of the numbers.
+    let read = scenelang_layout::file::read(&after.text, layout.file);
+    let near = |a: &Layout| {
+        let close = |((_, a), (_, b)): (&(_, Placement), &(_, Placement))| {
+            (a.pos - b.pos).amax() < ROUNDED && (a.rot - b.rot).amax() < ROUNDED
+        };
+        a.objects.len() == to.objects.len() && a.objects.iter().zip(&to.objects).all(close)
+    };
+    let rest = |a: &Layout| {
+        let mut rest = a.clone();
+        rest.scene.clone_from(&to.scene);
+        for ((name, own), (other, wanted)) in rest.objects.iter_mut().zip(&to.objects) {
+            if name == other {
+                (own.pos, own.rot) = (wanted.pos, wanted.rot);
+            }
+        }
+        rest
+    };
+    (after.left.is_empty() && near(&read.layout) && rest(&read.layout) == *to).then_some(edits)
+}
+
+/// How far apart numbers are that are written alike.
+const ROUNDED: f64 = 1e-6;
 
 /// Three numbers as the layout file has them, to a tenth of a micrometre.
 fn numbers(v: Vec3) -> String {

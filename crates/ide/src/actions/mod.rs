@@ -15,7 +15,7 @@ use crate::diagnostics::{Finding, diagnostics};
 use scenelang_base::{Applicability, Edit, Span, TextRange};
 use scenelang_lang::db::Cancelled;
 
-pub use fixes::{all_safe, placing, sentence};
+pub use fixes::{all_safe, changing, placing, sentence};
 use scenelang_layout::Vec3;
 
 /// What kind of change it is.

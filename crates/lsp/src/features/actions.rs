@@ -4,17 +4,17 @@ use super::Within;
 use crate::change::WorkspaceChange;
 use crate::commands::{Hold, REPAIR, Target, command, repair_command};
 use crate::dispatch::{Context, Fault, params, sent};
-use crate::jobs::{JobOutcome, Shown};
+use crate::jobs::{Job, JobOutcome, Shown, Written};
 use crate::publish::mark;
-use crate::repair::{Wanted, repair};
+use crate::repair::{Wanted, effect, repair};
 use crate::state::State;
 use scenelang_base::{Edit, TextRange};
 use scenelang_ide::actions::{self, Action, ActionKind, Detail};
 use scenelang_ide::diagnostics::Finding;
 use scenelang_ide::hints::unplaced;
 use scenelang_lang::program::ConstraintKind;
-use scenelang_solve::repair::in_statement;
 use scenelang_solve::repair::told::{PREFER, number_in_words};
+use scenelang_solve::repair::{has_numbers, in_statement};
 use scenelang_verify::World;
 use scenelang_verify::check::Subject;
 use serde::{Deserialize, Serialize};
@@ -150,28 +150,48 @@ fn to_confirm(context: &Context, mut edit: WorkspaceChange, label: &str) -> Work
     edit
 }
 
+/// Whether the program can be changed so that a statement holds in the layout as it is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Changeable {
+    /// It is no statement, or has no numbers.
+    Not,
+    /// The number is known, and offered.
+    Known,
+    /// There are numbers to be looked at.
+    Perhaps,
+}
+
 /// Changes of the program after which a statement holds in the layout as it is: another number; the assertion as a
-/// preference. Whether there is such a number.
-fn changes(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Result<bool, Fault> {
+/// preference.
+fn changes(context: &Context, finding: &Finding) -> Result<(Vec<Offered>, Changeable), Fault> {
+    let mut out = Vec::new();
     let (Some(judged), Some(layout)) = (context.snapshot.judged()?, context.snapshot.layout()) else {
-        return Ok(false);
+        return Ok((out, Changeable::Not));
     };
     let row = finding.row.and_then(|index| judged.verdict.rows.get(index));
-    let Some(Subject::Statement(index)) = row.map(|row| row.subject) else { return Ok(false) };
+    let Some(Subject::Statement(index)) = row.map(|row| row.subject) else { return Ok((out, Changeable::Not)) };
     let (program, sources) = (&judged.compiled.program, context.snapshot.sources());
-    let Some(constraint) = program.constraints.get(index) else { return Ok(false) };
+    let Some(constraint) = program.constraints.get(index) else { return Ok((out, Changeable::Not)) };
     let mut add = |title: String, edit: Edit| {
-        if out.iter().all(|known| known.title != title) {
-            let edit = context.places().workspace_edit(&[edit], context.edit_versions());
-            let edit = Some(to_confirm(context, edit, &title));
-            let diagnostics = Some(vec![marked(context, finding)]);
-            let data = Some(About::Moves(Shown::new(context.uri.clone(), &[])));
-            out.push(Offered { title, kind: QUICK_FIX, diagnostics, edit, data, ..Offered::default() });
+        let mut written = Shown::new(context.uri.clone(), &[]);
+        // What is written elsewhere is shown all the same, and judged when it is made.
+        if edit.place.file == context.snapshot.main() {
+            let bytes = [edit.place.range.start, edit.place.range.end];
+            written.texts.push(Written { bytes, text: edit.text.clone() });
         }
+        let edit = context.places().workspace_edit(&[edit], context.edit_versions());
+        let edit = Some(to_confirm(context, edit, &title));
+        let diagnostics = Some(vec![marked(context, finding)]);
+        let data = Some(About::Moves(written));
+        out.push(Offered { title, kind: QUICK_FIX, diagnostics, edit, data, ..Offered::default() });
     };
     let world = World::<f64>::new(program, &layout.read.layout, &context.snapshot.judging().options);
     let number = in_statement(program, sources, &world, index).into_iter().next();
-    let found = number.is_some();
+    let changeable = match &number {
+        Some(_) => Changeable::Known,
+        None if has_numbers(program, sources, index) => Changeable::Perhaps,
+        None => Changeable::Not,
+    };
     if let Some(number) = number {
         let title = number_in_words(program, number.edit.place, &number.shown);
         add(actions::sentence(&title), number.edit);
@@ -181,42 +201,53 @@ fn changes(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Resu
         let place = TextRange::new(start, start + ASSERT.len()).in_file(constraint.span.file);
         add(actions::sentence(PREFER), Edit { place, text: "prefer".to_owned() });
     }
-    Ok(found)
+    Ok((out, changeable))
 }
 
 const ASSERT: &str = "assert";
 
-/// Repair of something that fails, by changes of the program and by longer searches.
+/// Repair of something that fails, by longer searches; then by changes of the program. What leaves the program as it is
+/// comes first.
 fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Result<(), Fault> {
     let Some(label) = &finding.diagnostic.primary else { return Ok(()) };
     let line = context.range(label.place.range).start.line;
-    let listed = |list: &[Offered], title: &str| list.iter().any(|a| a.title == title);
     let offer = |title: &str| {
         let diagnostics = Some(vec![marked(context, finding)]);
         Offered { title: title.to_owned(), kind: QUICK_FIX, diagnostics, ..Offered::default() }
     };
-    let number = changes(context, finding, out)?;
-    if context.client.resolves_edits {
-        for (title, program) in [(REPAIR, false), ("Change the program so that this holds", true)] {
-            // What has a number of its own to be changed needs no search for one.
-            let needless = program && number;
-            if !needless && !listed(out, title) {
-                let data = Some(About::Later(Data::Repair { uri: context.uri.clone(), line, program }));
-                out.push(Offered { data, ..offer(title) });
-            }
+    let later = |program: bool| Some(About::Later(Data::Repair { uri: context.uri.clone(), line, program }));
+    let mut offered = vec![if context.client.resolves_edits {
+        Offered { data: later(false), ..offer(REPAIR) }
+    } else {
+        Offered { command: Some(repair_command(&context.uri, line)?), ..offer(REPAIR) }
+    }];
+    let (changes, changeable) = changes(context, finding)?;
+    offered.extend(changes);
+    if context.client.resolves_edits && changeable == Changeable::Perhaps {
+        offered.push(Offered { data: later(true), ..offer(CHANGE) });
+    }
+    for new in offered {
+        if out.iter().all(|known| known.title != new.title) {
+            out.push(new);
         }
-    } else if !listed(out, REPAIR) {
-        out.push(Offered { command: Some(repair_command(&context.uri, line)?), ..offer(REPAIR) });
     }
     Ok(())
 }
+
+const CHANGE: &str = "Change the program so that this holds";
 
 /// What is to be worked out.
 #[derive(Deserialize, Serialize)]
 #[serde(untagged)]
 enum Data {
-    Repair { uri: Uri, line: u32, program: bool },
+    Repair {
+        uri: Uri,
+        line: u32,
+        program: bool,
+    },
     Edits(Chosen),
+    /// Which margins it changes is to be said; the client has its edit.
+    Effect(Shown),
 }
 
 /// What was offered of `ide`'s actions, and where.
@@ -254,6 +285,7 @@ impl State {
                 self.ask_reader(id, &uri, Arc::new(move |context| completed(context, action.clone(), &chosen)));
                 return Ok(());
             }
+            Data::Effect(shown) => return self.tell_effect(id, action, shown),
         };
         let shown_in = uri.clone();
         let wanted = if program { Wanted::Program(line) } else { Wanted::Line(line) };
@@ -263,15 +295,31 @@ impl State {
             edit.ask_first();
             // What it is, and whose idea: until now it was only "repair this".
             let title = actions::sentence(outcome.message.lines().next().unwrap_or_default());
+            let margins = outcome.message.clone();
             state.tell("window/logMessage", LogMessageParams { typ: MessageType::INFO, message: outcome.message });
             let completed = sent(edit).and_then(|edit| {
                 action["edit"] = edit;
                 action["title"] = title.into();
-                action["data"] = sent(Shown::new(shown_in, &outcome.moves))?;
+                let margins = margins.lines().skip(1).map(str::to_owned).collect();
+                action["data"] = sent(Shown { margins, ..Shown::new(shown_in, &outcome.moves) })?;
                 Ok(action)
             });
             state.reply(id, completed);
         });
         self.begin(id, uri.as_str(), "Repairing", None, move |job| repair(job, &wanted, &Hold::default()), finish)
+    }
+
+    /// Says of a change that the client holds which margins it would change.
+    fn tell_effect(&mut self, id: &Id, mut action: Value, shown: Shown) -> Result<(), Fault> {
+        let uri = shown.uri.as_str().to_owned();
+        let finish = Box::new(move |state: &mut State, id: &Id, shown: Shown| {
+            let completed = sent(shown).map(|shown| {
+                action["data"] = shown;
+                action
+            });
+            state.reply(id, completed);
+        });
+        let work = move |job: &Job| Ok(Shown { margins: effect(job, &shown)?, ..shown });
+        self.begin(id, &uri, "Judging the change", None, work, finish)
     }
 }

@@ -285,3 +285,65 @@ fn long_edits_are_worked_out_when_they_are_chosen() {
         client.stop();
     }
 }
+
+/// What leaves the program as it is comes first; what no number can change is not offered as if one could.
+#[test]
+fn the_program_is_changed_last() {
+    let (folder, scene, layout) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let titles = |actions: &[Value]| -> Vec<String> {
+        actions.iter().map(|a| a["title"].as_str().unwrap().to_owned()).collect()
+    };
+    let found = titles(&client.offered(&uri, &scene, "assert g|ap(stand", Some("quickfix")));
+    let at = |start: &str| found.iter().position(|title| title.starts_with(start));
+    let repair = at("Repair this constraint").unwrap_or_else(|| panic!("{found:?}"));
+    assert!(at("Move ").is_some_and(|i| i < repair), "{found:?}");
+    for weaker in ["Make the assertion a preference", "Change the program"] {
+        assert!(at(weaker).is_some_and(|i| i > repair), "{found:?}");
+    }
+    // A physical rule has no numbers in the program.
+    let data = client.open(
+        "room.layout.json",
+        &layout.replace("\"lamp\": { \"pos\": [", "\"lamp\": { \"pos\": [0.4, 2, 0], \"was\": ["),
+    );
+    client.published(&data);
+    client.until("the lamp to float", |c| c.published(&uri).iter().any(|m| m["code"] == "V0104").then_some(()));
+    let found = titles(&client.offered(&uri, &scene, "object |lamp", Some("quickfix")));
+    assert!(found.iter().any(|t| t == "Repair this constraint"), "{found:?}");
+    assert!(found.iter().all(|t| !t.starts_with("Change the program")), "{found:?}");
+    client.stop();
+}
+
+/// An editor that shows a quick fix before it is made asks which margins it changes.
+#[test]
+fn the_effect_of_a_fix_can_be_asked_for() {
+    let (folder, scene, _) = room();
+    let mut client = Client::start(folder.path());
+    let uri = client.open("room.scene", &scene);
+    client.published(&uri);
+    let all = client.offered(&uri, &scene, "assert g|ap(stand", Some("quickfix"));
+    let moves = all.iter().find(|a| a["data"]["moves"].as_array().is_some_and(|m| !m.is_empty())).expect("a move");
+    let mut held = moves.clone();
+    held.as_object_mut().unwrap().remove("edit");
+    let judged = client.ask("codeAction/resolve", held);
+    let margins: Vec<&str> = judged["data"]["margins"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+    assert!(margins.iter().any(|m| m.contains("gap(stand[1], bed)") && m.contains(" → ")), "{judged}");
+    assert_eq!(judged["data"]["moves"], moves["data"]["moves"]);
+    assert!(judged["edit"].is_null(), "the editor has it");
+    // So it is where a number of the program changes.
+    let scene = scene.replace("gap(stand[1], bed) >= space", "gap(stand[1], bed) >= 0.02");
+    client.set(&uri, &scene);
+    let all = client.offered(&uri, &scene, "assert g|ap(stand", Some("quickfix"));
+    let number = all.iter().find(|a| a["title"].as_str().unwrap().starts_with("Require ")).expect("a number");
+    let mut held = number.clone();
+    held.as_object_mut().unwrap().remove("edit");
+    let judged = client.ask("codeAction/resolve", held);
+    let margins = judged["data"]["margins"].as_array().unwrap();
+    assert!(
+        margins.iter().any(|m| m.as_str().unwrap().contains("fails") || m.as_str().unwrap().contains(" → +")),
+        "{judged}"
+    );
+    client.stop();
+}
