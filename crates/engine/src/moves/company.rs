@@ -8,6 +8,7 @@ use super::flaws::Sense;
 use crate::rows::Goal;
 use scenelang_lang::program::ObjectId;
 use scenelang_verify::check::Subject;
+use scenelang_verify::rules::Support;
 
 /// So many objects go along at most, what they carry not counted.
 const MOST: usize = 6;
@@ -125,7 +126,9 @@ impl MoveFinder<'_> {
     /// Whether an object may be moved because another one is.
     fn may_go_along(&self, attempt: &Attempt<'_>, id: ObjectId) -> bool {
         let pinned = || self.stage.pins(id, attempt.free).iter().any(Option::is_some);
-        !self.stage.is_fitting(id) && !self.locked.contains(&id) && !pinned()
+        // What hangs on a wall stays there.
+        let stands = self.stage.scope.support(id) != Support::Mounted;
+        stands && !self.stage.is_fitting(id) && !self.locked.contains(&id) && !pinned()
     }
 
     /// Half of the work that is left up to a limit.

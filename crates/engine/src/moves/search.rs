@@ -200,7 +200,8 @@ impl<'s, 'a> MoveSearch<'s, 'a> {
     }
 
     /// Moves in few and round numbers, the smallest first.
-    fn in_words(mut self, found: Vec<Move>) -> Vec<(f64, ObjectMove)> {
+    fn in_words(mut self, mut found: Vec<Move>) -> Vec<(f64, ObjectMove)> {
+        found.sort_by(|a, b| self.cost(&self.step(a)).total_cmp(&self.cost(&self.step(b))));
         // What was found is put into words even if nothing more may be looked for.
         let times = if self.dear { 1 } else { found.len() };
         self.limit += 24 * times * self.goals.iter().map(|goal| self.stage.cost(*goal)).sum::<usize>();
