@@ -103,7 +103,7 @@ pub fn margin(row: &Row) -> Option<String> {
 pub(crate) fn in_words(value: f64, unit: Unit) -> String {
     let size = value.abs();
     // Below a millimetre the digits are what matters.
-    let digits = if size < NOTHING || size >= 0.01 { format!("{size:.2}") } else { format!("{size:.4}") };
+    let digits = if (NOTHING..0.01).contains(&size) { format!("{size:.4}") } else { format!("{size:.2}") };
     let sign = if value <= -NOTHING { "−" } else { "+" };
     let unit = if unit == Unit::Degree { "°" } else { " m" };
     format!("{sign}{digits}{unit}")

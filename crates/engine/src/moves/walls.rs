@@ -27,7 +27,7 @@ pub(super) fn is_backed(own: &Pose, world: &World<f64>) -> bool {
 }
 
 /// The outline of the room around a point: of the regions that hold it the largest.
-fn room<'w>(at: Vec2, world: &'w World<f64>) -> Option<&'w Polygon> {
+fn room(at: Vec2, world: &World<f64>) -> Option<&Polygon> {
     let outlines = world.prisms().map(|(_, prism)| &prism.polygon).filter(|outline| outline.contains(at));
     outlines.max_by(|a, b| a.area().total_cmp(&b.area()))
 }
