@@ -14,6 +14,8 @@ const FLAW: f64 = 3.0;
 /// What goes farther than this (metres) is carried, and has no directions.
 const DIRECTION: f64 = 0.1;
 const PUSHED: f64 = 1.0;
+/// What it counts that a move cannot be said in millimetres (metres).
+const ODD: f64 = 0.1;
 /// A choice costs at most so many times what the first one costs, and so much more (metres): nobody moves a wardrobe
 /// across the room where a chair can be pushed aside.
 const FARTHER: (f64, f64) = (3.0, 0.5);
@@ -56,7 +58,9 @@ impl Judged {
             .iter()
             .filter(pushed)
             .map(|step| [step.by[0], step.by[2]].iter().filter(|by| **by != 0.0).count().saturating_sub(1));
-        self.cost + FLAW * self.flaws as f64 + DIRECTION * ways.sum::<usize>() as f64
+        let odd = |step: &&ObjectMove| step.by.iter().any(|by| (by * 1e3 - (by * 1e3).round()).abs() > 1e-6);
+        let odd = self.steps.iter().filter(|step| step.with.is_none()).filter(odd).count();
+        self.cost + FLAW * self.flaws as f64 + DIRECTION * ways.sum::<usize>() as f64 + ODD * odd as f64
     }
 
     /// Less harm first, then what leaves doors and windows alone, then what repairs more, then turns that are asked for,
