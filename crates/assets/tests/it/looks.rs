@@ -110,7 +110,8 @@ fn no_noun_has_too_many_triangles() {
     for (noun, known) in table() {
         for features in ["", "with flowers"] {
             let size = Some(known.size);
-            let asset = furnish(&AssetRequest { name: "it", category: noun, features, size, ..AssetRequest::default() });
+            let asset =
+                furnish(&AssetRequest { name: "it", category: noun, features, size, ..AssetRequest::default() });
             if asset.mesh.triangles() > MOST {
                 bad.push(format!("{noun} ({features}): {} triangles", asset.mesh.triangles()));
             }

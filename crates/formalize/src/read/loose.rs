@@ -10,7 +10,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 12] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 14] = [
         which_is,
         all_but,
         so_many_of_them,
@@ -23,6 +23,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         back_to_back,
         aisles,
         at_the_till,
+        connected_rooms,
+        connected_by,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -271,6 +273,60 @@ fn at_the_till(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "An art gallery with two connected rooms and a bench": two art galleries, between which there is a door.
+fn connected_rooms(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const LONGEST: usize = 3;
+    if !matches!(word(tokens, i), "a" | "an") && i != 0 {
+        return false;
+    }
+    let first = i + usize::from(matches!(word(tokens, i), "a" | "an"));
+    let kind = |n: &usize| {
+        let words: Vec<&str> = (first..first + n).map(|k| word(tokens, k)).collect();
+        get().room(&words.join(" ")).is_some() && word(tokens, first + n) == "with"
+    };
+    let Some(n) = (1..=LONGEST).find(kind) else { return false };
+    let with = first + n;
+    let connected =
+        matches!(word(tokens, with + 2), "connected" | "adjoining" | "interconnected" | "linked" | "connecting");
+    let two = matches!(word(tokens, with + 1), "two" | "2");
+    if !two || !connected || word(tokens, with + 3) != "rooms" || !ends(tokens, with + 4) {
+        return false;
+    }
+    let last = word(tokens, with - 1);
+    let many = match last.strip_suffix('y') {
+        Some(stem) if !stem.ends_with(['a', 'e', 'o']) => format!("{stem}ies"),
+        _ => format!("{last}s"),
+    };
+    let mut said = vec!["two".to_owned()];
+    said.extend((first..with - 1).map(|k| word(tokens, k).to_owned()));
+    said.push(many);
+    let goes_on = tokens.get(with + 4).is_some_and(|t| t.is(",") || t.is("and"));
+    if goes_on {
+        said.push("with".into());
+    }
+    let said: Vec<&str> = said.iter().map(String::as_str).collect();
+    put(tokens, i, with + 4 + usize::from(goes_on), &said);
+    true
+}
+
+/// "Two offices connected by a door, with a desk in each": two offices, between which there is a door.
+fn connected_by(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const LONGEST: usize = 3;
+    let connected = matches!(word(tokens, i), "connected" | "joined" | "linked") && word(tokens, i + 1) == "by";
+    let door = matches!(word(tokens, i + 2), "a" | "one") && matches!(word(tokens, i + 3), "door" | "doorway");
+    let rooms = (1..=LONGEST.min(i.saturating_sub(1))).any(|n| {
+        let words: Vec<&str> = (i - n..i).map(|k| word(tokens, k)).collect();
+        let many = words.last().is_some_and(|last| singular(last) != *last);
+        many && get().room(&singular(&words.join(" "))).is_some() && matches!(word(tokens, i - n - 1), "two" | "2")
+    });
+    let said = connected && door && rooms && ends(tokens, i + 4);
+    if said {
+        let comma = usize::from(tokens.get(i + 4).is_some_and(|t| t.is(",")) && word(tokens, i + 5) == "with");
+        tokens.drain(i..i + 4 + comma);
+    }
+    said
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::paraphrase;
@@ -297,6 +353,13 @@ mod tests {
             ("a grocery with five aisles and a till.", "a grocery with five rows of shelves and a till ."),
             ("a cake display next to the till.", "a cake display next to the counter with a till ."),
             ("a bowl with fruit on the table.", "a bowl with fruit on the table ."),
+            (
+                "an art gallery with two connected rooms, paintings and a bench.",
+                "two art galleries with paintings and a bench .",
+            ),
+            ("two offices connected by a door, with a desk in each.", "two offices with a desk in each ."),
+            ("two desks connected by a door.", "two desks connected by a door ."),
+            ("an office with two connected desks.", "an office with two connected desks ."),
         ] {
             assert_eq!(paraphrase::plainly(text), becomes);
         }
