@@ -19,7 +19,7 @@ const ENDLESS: &str = "region room;\nroom.pos <- vec3(0, 0, 0);\nroom.scale <- v
     object crate[122];\nlamp.dimensions <- vec3(0.3, 1.5, 0.3);\ncrate.dimensions <- vec3(0.5, 0.5, 0.5);\n\
     assert forall a in lamp: inside(a, room);\n\
     assert forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 5;\n\
-    assert forall i in 0..120: distance(crate[i], crate[i + 1]) <= 4;\n";
+    assert forall i in 0..121: distance(crate[i], crate[i + 1]) <= 4;\n";
 
 fn start(folder: &Path, args: &[&str]) -> Child {
     let mut command = binary();

@@ -10,7 +10,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 14] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 15] = [
         which_is,
         all_but,
         so_many_of_them,
@@ -25,6 +25,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         at_the_till,
         connected_rooms,
         connected_by,
+        other_one,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -327,6 +328,38 @@ fn connected_by(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A washer and a dryer. The washer is white; a basket stands on the other one": on the dryer. Of two things of different
+/// kinds the other one is that of which nothing was said last.
+fn other_one(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "the" || word(tokens, i + 1) != "other" || word(tokens, i + 2) != "one" {
+        return false;
+    }
+    let stops = |k: &usize| matches!(tokens[*k].kind, WordKind::Line | WordKind::Sign('.' | ';'));
+    let Some(start) = (0..i).rev().find(stops) else { return false };
+    let (mut names, mut last): (Vec<String>, Option<String>) = (Vec::new(), None);
+    let mut k = 0;
+    while k < start {
+        let article = matches!(word(tokens, k), "a" | "an" | "the");
+        let Some(at) = noun(tokens, k + 1).filter(|at| article && at.end <= start) else {
+            k += 1;
+            continue;
+        };
+        let name = tokens[at.clone()].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
+        k = at.end;
+        if get().room(&name).is_none() {
+            if !names.contains(&name) {
+                names.push(name.clone());
+            }
+            last = Some(name);
+        }
+    }
+    let ([first, second], Some(last)) = (&names[..], last) else { return false };
+    let other = if *first == last { second } else { first };
+    let said: Vec<&str> = ["the"].into_iter().chain(other.split(' ')).collect();
+    put(tokens, i, i + 3, &said);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::paraphrase;
@@ -358,6 +391,14 @@ mod tests {
                 "two art galleries with paintings and a bench .",
             ),
             ("two offices connected by a door, with a desk in each.", "two offices with a desk in each ."),
+            (
+                "a washer and a dryer. the washer is white; a basket stands on the other one.",
+                "a washer and a dryer . the washer is white ; a basket stands on the dryer .",
+            ),
+            (
+                "two lamps and a desk. the one is red; a cup is on the other one.",
+                "two lamps and a desk . the one is red ; a cup is on the other one .",
+            ),
             ("two desks connected by a door.", "two desks connected by a door ."),
             ("an office with two connected desks.", "an office with two connected desks ."),
         ] {
