@@ -19,8 +19,8 @@ use std::path::Path;
 
 /// How often a program is tried.
 const ROUNDS: usize = 12;
-/// Work that a trial may take: at least, and for each object that may move. About a tenth of what the solver takes by itself.
-const TRIAL: [u64; 2] = [10_000_000, 400_000];
+/// Work that a trial may take: at least, and for each object. A tenth of what the solver takes by itself.
+const TRIAL: [u64; 2] = [6_000_000, 400_000];
 /// How often what is proved impossible is given up before a trial.
 const PROOFS: usize = 24;
 /// How much more a trial from nothing may take once there is a layout.
@@ -142,8 +142,9 @@ pub fn trial(
     stop: &Stop,
     progress: &mut dyn FnMut(Progress),
 ) -> Option<Layout> {
+    let [least, each] = TRIAL;
     let options = scenelang_solve::Options {
-        usual: TRIAL,
+        budget: least + each * problem.program.objects.len() as u64,
         polish: 0.0,
         diagnose: false,
         stop: stop.clone(),
@@ -169,9 +170,9 @@ fn searched(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) 
         let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Options::default());
         let Some(program) = compiled.program.as_ref().filter(|_| !compiled.has_errors()) else { return Tried::Fails };
         let start = furnish(program, scenelang_solve::draws(program, 0), last.as_ref(), &judge).layout;
+        let [least, each] = TRIAL;
         let options = scenelang_solve::Options {
-            usual: TRIAL,
-            effort: patience,
+            budget: patience * (least + each * program.objects.len() as u64),
             polish: 0.0,
             // What was added is given up without a look at what exactly is in the way.
             diagnose: left_out > PATIENT || !draft.has_additions(),

@@ -21,10 +21,6 @@ impl Truths<f64> for Ran<'_> {
     }
 }
 
-/// Where more objects than these go along in a trial, as the goods in a row of shelves do, each more takes this work.
-const FEW: u64 = 16;
-const EACH_MORE: u64 = 12;
-
 impl Trial<'_> {
     /// By how much a trial costs more than what was before; `None`: more than `limit`.
     pub fn judge(&mut self, limit: f64) -> Option<f64> {
@@ -39,8 +35,6 @@ impl Trial<'_> {
 
     fn judge_moved(&mut self, moved: &[Moved], variables: &[MovedVariable], limit: f64) -> Option<f64> {
         let mut delta = 0.0;
-        // What is counted elsewhere is the cost of one object, or of a few.
-        self.work += (moved.len() as u64).saturating_sub(FEW) * EACH_MORE;
         for &(i, ..) in moved {
             let id = ObjectId(i as u32);
             delta -= self.before(self.numbering.bounds(id));

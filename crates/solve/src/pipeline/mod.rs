@@ -60,6 +60,7 @@ pub fn solve_with(
     steps: &mut Steps<'_>,
     progress: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Outcome {
+    let options = &options.budgeted(problem.program.objects.len());
     let whole = Limit::new(options.time, &options.stop);
     let part = if options.diagnose { SEARCHING } else { 1.0 };
     let limit = Limit::new(options.time.map(|time| time.mul_f64(part)), &options.stop);
@@ -68,8 +69,6 @@ pub fn solve_with(
     let mut setup = setup(problem, options);
     setup.warnings.extend(cleaned.iter().flat_map(|(_, said)| said.iter().cloned()));
     let setup = setup;
-    let movable = setup.frame.objects().filter(|id| setup.frame.is_movable(*id)).count();
-    let options = &options.budgeted(movable);
     let mut run = Run {
         limit,
         setup: &setup,

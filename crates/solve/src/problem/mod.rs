@@ -71,11 +71,9 @@ pub struct Options {
     pub seed: u64,
     /// How many violated constraints are taken up at a time.
     pub batch: usize,
-    /// At most so much work in all; a unit is some twenty nanoseconds. 0: by the number of objects that the search may move.
+    /// At most so much work in all; a unit is some twenty nanoseconds. 0: by the number of objects.
     pub budget: u64,
-    /// The usual work where the number of objects sets the budget: at least, and for each of them.
-    pub usual: [u64; 2],
-    /// How many times the usual work is allowed; 0 counts as 1.
+    /// How many times the usual work is allowed where the number of objects sets the budget; 0 counts as 1.
     pub effort: u64,
     /// At most so long, whatever the budget. What comes of it then depends on the machine.
     pub time: Option<Duration>,
@@ -101,7 +99,6 @@ impl Default for Options {
             seed: 0,
             batch: 3,
             budget: 0,
-            usual: [20_000_000, 8_000_000],
             effort: 1,
             time: None,
             threads: 0,
@@ -124,12 +121,13 @@ impl Options {
         }
     }
 
-    /// The same with a budget for so many objects that the search may move.
+    /// The same with a budget for so many objects.
     pub(crate) fn budgeted(&self, objects: usize) -> Self {
+        const LEAST: u64 = 20_000_000;
+        const PER_OBJECT: u64 = 8_000_000;
         // The searches add budgets up and take parts of them as `f64`, which has all whole numbers up to here.
         const MOST: u64 = 1 << 53;
-        let [least, each] = self.usual;
-        let usual = least.saturating_add(each.saturating_mul(objects as u64));
+        let usual = LEAST.saturating_add(PER_OBJECT.saturating_mul(objects as u64));
         let budget = match self.budget {
             0 => usual.saturating_mul(self.effort.max(1)).min(MOST),
             budget => budget,
