@@ -1,9 +1,10 @@
 //! `--only` and `--all-formats`: which formats are written, and what they leave out.
 
-use crate::args::{Formats, UnityVersion};
+use crate::args::{Formats, UnityVersion, ViewName};
 use scenelang_base::door::Door;
 use scenelang_base::plain;
 use scenelang_export::glb::{Glb, WithPhysics};
+use scenelang_export::picture::{Picture, PictureView};
 use scenelang_export::unity::{self, Editor, Pipeline, Unity};
 use scenelang_export::urdf::Urdf;
 use scenelang_export::{Exporter, Loss, all_exporters, exporters};
@@ -20,9 +21,16 @@ pub fn chosen(asked: &Formats, pipeline: Pipeline, folder: &Path) -> Vec<Box<dyn
         None => of_project(folder).unwrap_or_default(),
     };
     let unity = Unity { pipeline, editor };
+    let view = match asked.view {
+        ViewName::Eye => PictureView::Eye,
+        ViewName::Top => PictureView::Top,
+        ViewName::Iso => PictureView::Iso,
+    };
+    let picture = Picture { view, size: asked.size };
     let own = |e: Box<dyn Exporter>| -> Box<dyn Exporter> {
         match e.name() {
             name if name == unity.name() => Box::new(unity),
+            name if name == picture.name() => Box::new(picture),
             name if name == Glb.name() && asked.gltf_physics => Box::new(WithPhysics),
             _ => e,
         }

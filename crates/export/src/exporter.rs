@@ -71,7 +71,7 @@ pub fn exporters() -> Vec<Box<dyn Exporter>> {
         Box::new(unity::Unity::default()),
         Box::new(glb::Glb),
         Box::new(plan::Plan),
-        Box::new(picture::Picture),
+        Box::new(picture::Picture::default()),
         Box::new(preview::Preview),
     ]
 }

@@ -1,6 +1,7 @@
 //! A picture of one thing by itself: what a category looks like.
 
-use crate::{ExportError, Scene, SceneInput, picture};
+use crate::picture::{self, Picture};
+use crate::{ExportError, Scene, SceneInput};
 use scenelang_assets::{Asset, AssetRequest, furnish};
 use scenelang_lang::library::usual_size;
 use scenelang_lang::{Compiled, compile_text};
@@ -44,7 +45,8 @@ pub fn png(noun: &str, asset: &Asset, open: bool, pixels: [usize; 2]) -> Result<
         layout_text: "",
         report: &serde_json::json!({ "ok": true, "constraints": [], "diagnostics": [] }),
     });
-    picture::png(&scene.map_err(|e| ExportError::Format("picture", e.to_string()))?, pixels)
+    let scene = scene.map_err(|e| ExportError::Format("picture", e.to_string()))?;
+    picture::png(&scene, Picture { size: pixels, ..Picture::default() })
 }
 
 /// Its parts with all that opens as far open as it is of use, and the size of the box around them, on which they stand.

@@ -1,6 +1,7 @@
 //! Options of the command line.
 
 mod assets;
+mod formats;
 mod manual;
 mod many;
 mod mcp;
@@ -9,6 +10,7 @@ mod measure;
 pub use assets::{
     Assets, AssetsCheck, AssetsFormat, AssetsGallery, AssetsImport, AssetsList, AssetsQueries, AssetsSearch, Furniture,
 };
+pub use formats::{Formats, UnityVersion, ViewName};
 pub use manual::{Completions, Man, Page};
 pub use many::{Batch, BatchCommand, BatchMerge, BatchRun, Sample, Shard};
 pub use mcp::Mcp;
@@ -560,36 +562,6 @@ pub struct Edits {
     /// Overwrite edited scenes and discard the edits
     #[arg(long)]
     pub overwrite: bool,
-}
-
-/// Which formats `export` and `synth` write.
-#[derive(ClapArgs, Debug, Clone, Default)]
-pub struct Formats {
-    /// Only these formats, separated by commas: unity, glb, plan, picture, preview (the default ones), mjcf, usd, usdz, sdf,
-    /// obj
-    #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::formats::name)]
-    pub only: Vec<String>,
-    /// All formats, not only the default ones
-    #[arg(long, conflicts_with = "only")]
-    pub all_formats: bool,
-    /// Give the GLB file rigid bodies: colliders, masses, and joints with limits (the draft extension KHR_physics_rigid_bodies)
-    #[arg(long)]
-    pub gltf_physics: bool,
-    /// The version of Unity for which the project is written [default: that of the project in the output folder, else
-    /// 2022.3]
-    #[arg(long, value_enum, value_name = "VERSION")]
-    pub unity: Option<UnityVersion>,
-}
-
-/// `synth --unity`, `export --unity`
-#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UnityVersion {
-    /// Unity 2022.3
-    #[value(name = "2022.3")]
-    V2022,
-    /// Unity 6 (6000.0)
-    #[value(name = "6000")]
-    V6000,
 }
 
 /// `synth --format`, `export --format`, `diff --format`, `eval --format`, `trace --format`, `query --format`

@@ -203,9 +203,9 @@ pub fn render(call: &Call<'_>, Render { file, view }: Render) -> Answered {
     }
     let room = CheckedLayout::judge(path.clone(), &files.door, &files)?;
     let scene = room.scene()?;
-    let exporter: &dyn Exporter = match view {
-        View::Plan => &plan::Plan,
-        View::Picture => &picture::Picture,
+    let exporter: Box<dyn Exporter> = match view {
+        View::Plan => Box::new(plan::Plan),
+        View::Picture => Box::new(picture::Picture::default()),
     };
     let drawn = exporter.files(&scene).map_err(|e| e.to_string())?;
     let png = drawn.iter().find(|file| file.path.extension().is_some_and(|e| e == "png"));

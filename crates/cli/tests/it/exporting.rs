@@ -66,6 +66,50 @@ fn a_unity_project_is_for_the_version_that_is_asked_for() {
     assert_eq!(export(folder.path(), &["--unity", "5"]).code, 2);
 }
 
+/// Width and height of a PNG file, as its header has them.
+fn png_size(bytes: &[u8]) -> [u32; 2] {
+    [16, 20].map(|at| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap()))
+}
+
+#[test]
+fn the_picture_has_the_view_and_the_size_that_are_asked_for() {
+    let folder = solved();
+    let picture = |more: &[&str]| {
+        let ended = export(folder.path(), &[&["--only", "picture"], more].concat());
+        assert_eq!(ended.code, 0, "{}", ended.stderr);
+        fs::read(folder.path().join("out/picture.png")).unwrap()
+    };
+    let usual = picture(&[]);
+    assert_eq!(png_size(&usual), [1280, 800]);
+    assert!(usual == picture(&["--view", "iso", "--size", "1280x800"]));
+    let views = ["iso", "top", "eye"].map(|view| picture(&["--view", view, "--size", "320x200"]));
+    assert!(views.iter().all(|png| png_size(png) == [320, 200]));
+    assert_eq!(views.iter().collect::<BTreeSet<_>>().len(), 3);
+    assert!(views[2] == picture(&["--view", "eye", "--size", "320x200"]));
+    let made = ["synth", "room.scene", "-o", "made", "--only", "picture", "--view", "eye", "--size", "16x4096"];
+    assert_eq!(scenelang(folder.path(), made).code, 0);
+    assert_eq!(png_size(&fs::read(folder.path().join("made/picture.png")).unwrap()), [16, 4096]);
+}
+
+#[test]
+fn views_and_sizes_that_do_not_exist_are_refused() {
+    let folder = solved();
+    for (more, why) in [
+        (["--view", "front"], "[possible values: eye, top, iso]"),
+        (["--size", "800"], "expected width and height in pixels, such as 1280x800"),
+        (["--size", "-1x800"], "expected width and height in pixels"),
+        (["--size", "1280x800x3"], "expected width and height in pixels"),
+        (["--size", "0x800"], "each side must be from 16 to 4096 pixels"),
+        (["--size", "99999999999999999999999x800"], "each side must be from 16 to 4096 pixels"),
+        (["--size", "4096x4096"], "a picture may have at most 8294400 pixels, as 3840x2160 has"),
+    ] {
+        let ended = export(folder.path(), &more);
+        assert_eq!(ended.code, 2, "{more:?}");
+        assert!(ended.stderr.contains(why), "{more:?}: {}", ended.stderr);
+        assert!(!folder.path().join("out").exists());
+    }
+}
+
 #[test]
 fn what_a_format_cannot_hold_is_said() {
     let folder = solved();

@@ -30,7 +30,9 @@ const BACKDROP: [[f32; 3]; 2] = [[0.80, 0.84, 0.88], [0.93, 0.94, 0.94]];
 pub(super) fn render(stage: &Stage, view: &View, size: [usize; 2], threads: usize) -> Vec<u8> {
     let lens = camera(view, size.map(|s| s * FINE));
     let is_opaque = |t: &&Triangle| stage.looks[t.look as usize].opacity >= 1.0;
-    let (opaque, clear): (Vec<&Triangle>, Vec<&Triangle>) = stage.triangles.iter().partition(is_opaque);
+    // An eye in a room has walls and floors that reach behind it.
+    let triangles = stage.before(lens.eye, lens.axes[2]);
+    let (opaque, clear): (Vec<&Triangle>, Vec<&Triangle>) = triangles.iter().partition(is_opaque);
     let buffer = draw(&lens, &opaque, threads);
     let corners = Occlusion::of(&buffer, &lens, threads);
     let sun = Sun::new(stage, view, threads);
@@ -144,8 +146,10 @@ struct Sun {
 impl Sun {
     fn new(stage: &Stage, view: &View, threads: usize) -> Self {
         let axes = view.axes();
-        let level = |v: Vec3| Vec3::new(v.x, 0.0, v.z).normalize();
-        let (right, ahead) = (level(axes.column(0).into()), level(axes.column(2).into()));
+        let level = |v: Vec3| Vec3::new(v.x, 0.0, v.z).try_normalize(1e-9);
+        let right = level(axes.column(0).into()).unwrap_or(Vec3::x());
+        // Seen from straight above, what is up in the picture is ahead.
+        let ahead = level(axes.column(2).into()).or_else(|| level(axes.column(1).into())).unwrap_or(Vec3::z());
         let way = (Vec3::y() * 1.2 - right * 0.55 - ahead * 0.6).normalize();
         let fill = (Vec3::y() * 0.3 + right - ahead * 0.7).normalize();
         let sight = View { eye: way, target: Vec3::zeros(), fov: 0.0 }.axes();
@@ -171,7 +175,9 @@ impl Sun {
     fn seen_from(&self, place: [f32; 3], normal: [f32; 3]) -> f32 {
         // A little off the surface, more so where it is grazed, lest it shade itself.
         let slant = 1.0 - dot(normal, self.way).clamp(0.0, 1.0);
-        let off = 0.006 + 0.02 * slant;
+        // In a large room a pixel of the map is large too: the edge reaches over four of them, five across a corner.
+        let steep = (1.0 - (1.0 - slant) * (1.0 - slant)).sqrt();
+        let off = (0.006 + 0.02 * slant).max(5.0 * steep / self.lens.zoom);
         let eye = self.lens.seen(from_fn(|i| place[i] + normal[i] * off));
         let [x, y] = self.lens.pixel(eye);
         let open = |dx: i32, dy: i32| {

@@ -1,4 +1,5 @@
-//! The picture: the room in perspective from a raised corner, near walls cut down to a kerb, ceilings off.
+//! The picture: the room in perspective from a raised corner, near walls cut down to a kerb, ceilings off; or from above; or as
+//! someone sees it who comes in through its door.
 //!
 //! Drawn by a small z-buffer rasteriser: no window, no graphics card, the same pixels on every machine. Each thread draws a
 //! band of rows; how many there are changes nothing.
@@ -14,10 +15,32 @@ use crate::{ExportError, Exporter, OutFile, Scene, Shows};
 
 /// `picture.png`.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture;
+pub struct Picture {
+    pub view: PictureView,
+    /// Width and height, pixels.
+    pub size: [usize; 2],
+}
 
-/// Width and height, pixels.
-const SIZE: [usize; 2] = [1280, 800];
+impl Default for Picture {
+    fn default() -> Self {
+        Self { view: PictureView::Iso, size: SIZE }
+    }
+}
+
+/// Where a picture is seen from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PictureView {
+    /// At the door of the largest room, by someone who looks at its middle.
+    Eye,
+    /// Straight down from above.
+    Top,
+    /// From a raised corner.
+    #[default]
+    Iso,
+}
+
+/// Width and height unless others are asked for, pixels.
+pub const SIZE: [usize; 2] = [1280, 800];
 
 impl Exporter for Picture {
     fn name(&self) -> &'static str {
@@ -27,17 +50,24 @@ impl Exporter for Picture {
         Shows::Bodies
     }
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
-        Ok(vec![OutFile::new("picture.png", png(scene, SIZE)?)])
+        Ok(vec![OutFile::new("picture.png", png(scene, *self)?)])
     }
 }
 
-/// The picture in a size of its own: width and height, pixels.
+/// The picture as PNG.
 ///
 /// # Errors
 /// The picture cannot be encoded: a side is 0 or far too long.
-pub fn png(scene: &Scene, size: [usize; 2]) -> Result<Vec<u8>, ExportError> {
-    let view = View::of(scene, size[0] as f64 / size[1] as f64);
-    let stage = stage::Stage::new(scene, &view);
+pub fn png(scene: &Scene, Picture { view: kind, size }: Picture) -> Result<Vec<u8>, ExportError> {
+    let aspect = size[0] as f64 / size[1].max(1) as f64;
+    let inside = if kind == PictureView::Eye { View::entering(scene) } else { None };
+    // Where there is no room to stand in, it is seen from outside.
+    let (view, kind) = match (inside, kind) {
+        (Some(view), _) => (view, kind),
+        (None, PictureView::Top) => (View::above(scene, aspect), kind),
+        (None, _) => (View::of(scene, aspect), PictureView::Iso),
+    };
+    let stage = stage::Stage::new(scene, &view, kind);
     let pixels = light::render(&stage, &view, size, bands::cores());
     encoded(&pixels, size).map_err(|e| ExportError::Format("picture", e.to_string()))
 }
@@ -94,7 +124,7 @@ assert connects(window, room);
         let scene = scene.unwrap();
         let size = [160, 101];
         let view = View::of(&scene, size[0] as f64 / size[1] as f64);
-        let mut stage = stage::Stage::new(&scene, &view);
+        let mut stage = stage::Stage::new(&scene, &view, PictureView::Iso);
         // The last object lets light through.
         let last = stage.triangles.iter().map(|t| usize::from(t.look)).next_back().unwrap();
         stage.looks[last].opacity = 0.4;

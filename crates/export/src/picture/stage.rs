@@ -1,5 +1,6 @@
 //! What is in the picture: all triangles in the world with their looks, after near walls and ceilings are out of the way.
 
+use super::PictureView;
 use super::cloth::Cloth;
 use super::raster::{cross, dot, sub};
 use crate::Scene;
@@ -19,6 +20,8 @@ use scenelang_layout::{Vec2, Vec3};
 const KERB: f64 = 0.08;
 /// What is left of a wall between rooms, metres: enough to read the plan, too little to hide the room behind.
 const PARAPET: f64 = 0.9;
+/// What is left of walls seen from above, metres: through doors and windows, as in a plan.
+const PLAN: f64 = 1.2;
 /// What is this far beyond a wall (metres) is in the next room, if there is one.
 const BESIDE: f64 = 0.25;
 
@@ -34,6 +37,11 @@ const REACH: f64 = 5.0;
 const SAMPLES: u32 = 60;
 /// What begins higher above the floor hangs (metres).
 const LOW: f64 = 0.3;
+
+/// The share of light that reaches a ceiling from below.
+const BOUNCE: f32 = 0.45;
+/// What is nearer to an eye in a room is not seen (metres).
+const NEAR: f32 = 0.06;
 
 #[derive(Clone, Copy)]
 pub(super) struct TriangleLook {
@@ -75,12 +83,14 @@ pub(super) struct Stage {
     pub ground: f32,
     /// Edges of the floors that stand on it, x and z.
     footprint: Vec<[[f32; 2]; 2]>,
+    /// What is in the way, and cut away, depends on where it is seen from.
+    kind: PictureView,
 }
 
 impl Stage {
     /// The scene as seen by an eye.
-    pub fn new(scene: &Scene, view: &View) -> Self {
-        let mut stage = Self::default();
+    pub fn new(scene: &Scene, view: &View, kind: PictureView) -> Self {
+        let mut stage = Self { kind, ..Self::default() };
         let floors = || scene.shells.iter().filter(|s| s.role == Role::Floor).flat_map(|s| &s.pieces);
         let lowest = floors().map(|p| p.low).fold(f64::INFINITY, f64::min);
         stage.ground = if lowest.is_finite() { lowest as f32 } else { 0.0 };
@@ -90,7 +100,7 @@ impl Stage {
             .flat_map(|p| edges(&p.polygon))
             .map(|(a, b)| [flat(a), flat(b)])
             .collect();
-        let cut: Vec<Cut> = scene.shells.iter().filter_map(|shell| Cut::of(scene, shell, view)).collect();
+        let cut: Vec<Cut> = scene.shells.iter().filter_map(|shell| Cut::of(scene, shell, view, kind)).collect();
         for shell in &scene.shells {
             stage.shell(scene, shell, view);
         }
@@ -99,11 +109,19 @@ impl Stage {
         };
         let short: Vec<&Object> = scene.objects.iter().filter(short).collect();
         for object in &scene.objects {
-            if !overhead(scene, object) && !short.iter().any(|below| stands_on(object, below)) {
+            let is_lost = kind != PictureView::Eye && overhead(scene, object);
+            if !is_lost && !short.iter().any(|below| stands_on(object, below)) {
                 stage.object(scene, object, &cut, &short);
             }
         }
         stage
+    }
+
+    /// The triangles before an eye: of those that reach behind it, the part in front.
+    pub fn before(&self, eye: [f32; 3], ahead: [f32; 3]) -> Vec<Triangle> {
+        let depth = |p: [f32; 3]| dot(sub(p, eye), ahead) - NEAR;
+        let front = |t: &Triangle| if t.points.iter().all(|p| depth(*p) >= 0.0) { vec![*t] } else { clipped(t, depth) };
+        self.triangles.iter().flat_map(front).collect()
     }
 
     /// How far a point of the ground is from the building, metres.
@@ -120,16 +138,21 @@ impl Stage {
     fn shell(&mut self, scene: &Scene, shell: &Shell, view: &View) {
         let surface = &scene.surfaces[shell.group.surface];
         match shell.role {
-            Role::Ceiling => {}
-            Role::Floor | Role::Tint => {
+            Role::Ceiling if self.kind != PictureView::Eye => {}
+            Role::Floor | Role::Tint | Role::Ceiling => {
                 let look = self.look(surface);
+                if shell.role == Role::Ceiling {
+                    // The light that floor and walls send up to it.
+                    let TriangleLook { color, glow, .. } = &mut self.looks[usize::from(look)];
+                    *glow = color.map(|c| c * BOUNCE);
+                }
                 self.group(&shell.group, look, false, |p| p);
             }
             Role::Wall { .. } => {
                 let look = self.look(surface);
                 // The cut through a wall is dark, as in a model; the kerb of a cut wall too.
                 let section = self.section_look(surface);
-                let top = height_left(scene, shell, view).map_or(f64::INFINITY, |left| left + bottom(shell));
+                let top = height_left(scene, shell, view, self.kind).map_or(f64::INFINITY, |left| left + bottom(shell));
                 for piece in shell.pieces.iter().filter(|p| p.low < top) {
                     let mut prism = MeshGroup::new(0);
                     prism.prism(&piece.polygon, piece.low, piece.high.min(top));
@@ -264,9 +287,9 @@ struct Cut {
 }
 
 impl Cut {
-    fn of(scene: &Scene, shell: &Shell, view: &View) -> Option<Self> {
+    fn of(scene: &Scene, shell: &Shell, view: &View, kind: PictureView) -> Option<Self> {
         let Role::Wall { from, to } = shell.role else { return None };
-        Some(Self { from, to, floor: bottom(shell), left: height_left(scene, shell, view)? })
+        Some(Self { from, to, floor: bottom(shell), left: height_left(scene, shell, view, kind)? })
     }
 
     /// Whether it is between the rooms and the eye.
@@ -316,16 +339,22 @@ fn stands_on(object: &Object, other: &Object) -> bool {
 
 /// What of a triangle is below a height: none, one or two of them.
 fn below(triangle: &Triangle, top: f32) -> Vec<Triangle> {
+    clipped(triangle, |p| top - p[1])
+}
+
+/// What of a triangle is where a linear function is not negative: none, one or two of them.
+fn clipped(triangle: &Triangle, inside: impl Fn([f32; 3]) -> f32) -> Vec<Triangle> {
     let mut corners: Vec<([f32; 3], [f32; 3])> = Vec::with_capacity(4);
     for i in 0..3 {
         let j = (i + 1) % 3;
         let (p, q) = (triangle.points[i], triangle.points[j]);
         let (n, m) = (triangle.normals[i], triangle.normals[j]);
-        if p[1] <= top {
+        let (from, to) = (inside(p), inside(q));
+        if from >= 0.0 {
             corners.push((p, n));
         }
-        if (p[1] <= top) != (q[1] <= top) {
-            let t = (top - p[1]) / (q[1] - p[1]);
+        if (from >= 0.0) != (to >= 0.0) {
+            let t = from / (from - to);
             let between = |a: [f32; 3], b: [f32; 3]| std::array::from_fn(|k| a[k] + (b[k] - a[k]) * t);
             corners.push((between(p, q), between(n, m)));
         }
@@ -339,8 +368,13 @@ fn below(triangle: &Triangle, top: f32) -> Vec<Triangle> {
 }
 
 /// How much of a wall is left, metres; `None`: all of it. Nothing but walls is cut.
-fn height_left(scene: &Scene, shell: &Shell, view: &View) -> Option<f64> {
+fn height_left(scene: &Scene, shell: &Shell, view: &View, kind: PictureView) -> Option<f64> {
     let Role::Wall { from, to } = shell.role else { return None };
+    match kind {
+        PictureView::Iso => {}
+        PictureView::Top => return Some(PLAN),
+        PictureView::Eye => return None,
+    }
     let normal = outward(from, to);
     let along = |i: u32| from + (to - from) * f64::from(i) / 10.0;
     let rooms = |p: Vec2| scene.regions.iter().any(|r| r.kind == RegionKind::Room && r.prism.polygon.contains(p));

@@ -5,6 +5,7 @@
 
 mod build;
 mod dress;
+mod eye;
 mod memory;
 mod opening;
 pub mod shell;

@@ -38,12 +38,15 @@ const TALL: f64 = 1.2;
 const SMALL: f64 = 0.1;
 /// How steeply the camera looks down, degrees.
 const ELEVATION: f64 = 42.0;
+/// Angle of view from above, degrees: from so far away, what is tall does not lean over what stands beside it.
+const STEEP: f64 = 6.0;
 
 impl View {
     /// Its axes as columns: right, up, forward.
     pub fn axes(&self) -> Matrix3<f64> {
         let forward = (self.target - self.eye).normalize();
-        let right = Vec3::y().cross(&forward).normalize();
+        // Straight down, x is to the right and z up, as in a plan.
+        let right = Vec3::y().cross(&forward).try_normalize(1e-9).unwrap_or(Vec3::x());
         Matrix3::from_columns(&[right, forward.cross(&right), forward])
     }
 
@@ -66,13 +69,23 @@ impl View {
 
     /// The view of some points from a direction, as near as they allow.
     fn towards(points: &[Vec3], way: Vec3, aspect: f64) -> Self {
+        Self::framing(points, way, aspect, 28.0)
+    }
+
+    /// The same with an angle of view.
+    fn framing(points: &[Vec3], way: Vec3, aspect: f64, fov: f64) -> Self {
         let middle = points.iter().sum::<Vec3>() / points.len().max(1) as f64;
-        let mut view = Self { eye: middle + way, target: middle, fov: 28.0 };
+        let mut view = Self { eye: middle + way, target: middle, fov };
         // The right distance moves what is in the middle, and that the right distance: a few rounds settle it.
         for _ in 0..8 {
             view.frame(points, way, aspect);
         }
         view
+    }
+
+    /// From above, straight down, in a picture of this width by height. From so far away that what is tall hides little.
+    pub fn above(scene: &Scene, aspect: f64) -> Self {
+        Self::framing(&outline(scene), Vec3::y(), aspect, STEEP)
     }
 
     /// A view from a corner of the first room, as someone who has just come in and looks across it. Without a room:
@@ -130,7 +143,7 @@ const FRONTLESS: [&str; 10] =
 
 /// How well an eye in this direction sees the objects: their fronts, large ones counting more, and large things rather
 /// behind small ones than before them. Between about −1 and 1.
-fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
+pub(super) fn fronts_seen(scene: &Scene, way: Vec3) -> f64 {
     // What is tall and turns its back hides the most; of a bed the whole top is seen, or the headboard. By the root, or
     // one shelf would outweigh all that a bathroom is for; what is small says nothing about where to look from.
     let face = |o: &Object| {

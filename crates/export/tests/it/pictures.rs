@@ -1,9 +1,10 @@
 //! Plan and picture.
 
 use crate::fixture::{named, scene};
+use scenelang_export::picture::{self, Picture, PictureView};
 use scenelang_export::scene::view::hangs_on;
 use scenelang_export::scene::{Role, View};
-use scenelang_export::{Exporter, Scene, picture, plan};
+use scenelang_export::{Exporter, Scene, plan};
 use std::collections::BTreeSet;
 
 /// A picture as it is read again.
@@ -116,11 +117,68 @@ fn what_hangs_in_a_corner_hangs_on_the_wall_behind_it_alone() {
     }
 }
 
+/// A quarter of the usual size: without optimisation the whole takes long.
+fn small(view: PictureView) -> Picture {
+    Picture { view, size: [640, 400] }
+}
+
+#[test]
+fn someone_at_the_door_sees_walls_and_a_ceiling_all_round() {
+    let scene = scene();
+    let view = View::entering(&scene).unwrap();
+    // The door of the hall, which is larger than the den, is at x = 2.03.
+    assert!((view.eye.x - 1.7).abs() < 1e-6 && view.eye.y == 1.6 && view.eye.z.abs() < 1e-6, "{:?}", view.eye);
+    let bytes = picture::png(&scene, small(PictureView::Eye)).unwrap();
+    assert_eq!(bytes, picture::png(&scene, small(PictureView::Eye)).unwrap());
+    let picture = png(&bytes);
+    // Floor, walls and ceiling reach every edge of the picture: nothing of the pale sheet behind them is seen.
+    let sheet = |p: [u8; 3]| p.iter().all(|&c| c > 225) && p[2] >= p[0];
+    let rim = (0..640).flat_map(|x| [(x, 0), (x, 399)]).chain((0..400).flat_map(|y| [(0, y), (639, y)]));
+    let seen = rim.filter(|&(x, y)| sheet(picture.at(x, y))).count();
+    assert!(seen == 0, "{seen} pixels at the rim show what is outside");
+    let blue = picture.all.iter().filter(|[r, g, b]| *b > 40 && u32::from(*b) > 2 * u32::from(*r.max(g))).count();
+    assert!(blue > 1000, "the blue chairs are seen: {blue} pixels");
+}
+
+#[test]
+fn from_above_everything_is_where_it_is_on_the_plan() {
+    let scene = scene();
+    let view = View::above(&scene, 1.6);
+    let axes = view.axes();
+    assert_eq!(axes.column(0).as_slice(), [1.0, 0.0, 0.0]);
+    assert_eq!(axes.column(2).as_slice(), [0.0, -1.0, 0.0]);
+    let picture = png(&picture::png(&scene, small(PictureView::Top)).unwrap());
+    let is_blue = |[r, g, b]: [u8; 3]| b > 40 && u32::from(b) > 2 * u32::from(r.max(g));
+    let blue: Vec<[f64; 2]> = (0..400)
+        .flat_map(|y| (0..640).map(move |x| (x, y)))
+        .filter(|&(x, y)| is_blue(picture.at(x, y)))
+        .map(|(x, y)| [f64::from(x), f64::from(y)])
+        .collect();
+    let mean = |k: usize| blue.iter().map(|p| p[k]).sum::<f64>() / blue.len() as f64;
+    let metres = (view.eye.y - 0.5) * 2.0 * (view.fov / 2.0).to_radians().tan() / 400.0;
+    let at = [view.eye.x + (mean(0) - 320.0) * metres, view.eye.z - (mean(1) - 200.0) * metres];
+    // Between the two chairs, which stand at x = ±0.4 and z = 1.
+    assert!(at[0].abs() < 0.1 && (at[1] - 1.0).abs() < 0.15, "{at:?}");
+}
+
+#[test]
+fn a_room_without_a_door_is_seen_from_a_corner_and_no_room_from_outside() {
+    let mut parts = crate::fixture::parts();
+    let door = parts.layout.objects.iter_mut().find(|(name, _)| name == "door").unwrap();
+    door.1.pos.x = 0.0;
+    let eye = View::entering(&parts.build().unwrap()).unwrap().eye;
+    assert!((eye.x.abs() - 2.0).abs() < 0.3 && (eye.z.abs() - 2.0).abs() < 0.3, "{eye:?}");
+    parts.program.regions.iter_mut().for_each(|region| region.texts.push(("features".into(), "outdoor".into())));
+    let scene = parts.build().unwrap();
+    assert!(View::entering(&scene).is_none());
+    let [eye, iso] = [PictureView::Eye, PictureView::Iso].map(|view| picture::png(&scene, small(view)).unwrap());
+    assert!(eye == iso);
+}
+
 #[test]
 fn the_picture_shows_a_lit_room_on_a_pale_ground() {
-    // A quarter of the usual size: without optimisation the whole takes long.
-    let bytes = picture::png(&scene(), [640, 400]).unwrap();
-    assert_eq!(bytes, picture::png(&scene(), [640, 400]).unwrap());
+    let bytes = picture::png(&scene(), small(PictureView::Iso)).unwrap();
+    assert_eq!(bytes, picture::png(&scene(), small(PictureView::Iso)).unwrap());
     let picture = png(&bytes);
     assert_eq!(picture.size, (640, 400));
     let colors: BTreeSet<[u8; 3]> = picture.all.iter().copied().collect();
