@@ -1,7 +1,7 @@
 //! What an exporter is, the list of them, and the one function that writes their files.
 
 use crate::loss::Lost;
-use crate::{Scene, Shows, glb, mjcf, obj, picture, plan, preview, sdf, unity, usd};
+use crate::{Scene, Shows, glb, mjcf, obj, picture, plan, preview, report, sdf, unity, usd};
 use scenelang_base::door::Door;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -78,8 +78,14 @@ pub fn exporters() -> Vec<Box<dyn Exporter>> {
 
 /// All exporters: the usual ones, then those that run only when they are asked for.
 pub fn all_exporters() -> Vec<Box<dyn Exporter>> {
-    let further: [Box<dyn Exporter>; 5] =
-        [Box::new(mjcf::Mjcf), Box::new(usd::Usd), Box::new(usd::Usdz), Box::new(sdf::Sdf), Box::new(obj::Obj)];
+    let further: [Box<dyn Exporter>; 6] = [
+        Box::new(mjcf::Mjcf),
+        Box::new(usd::Usd),
+        Box::new(usd::Usdz),
+        Box::new(sdf::Sdf),
+        Box::new(obj::Obj),
+        Box::new(report::Report),
+    ];
     exporters().into_iter().chain(further).collect()
 }
 

@@ -21,6 +21,7 @@ mod physics;
 pub mod picture;
 pub mod plan;
 pub mod preview;
+pub mod report;
 pub mod scene;
 pub mod sdf;
 mod textures;

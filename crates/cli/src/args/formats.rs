@@ -6,7 +6,7 @@ use clap::{Args as ClapArgs, ValueEnum};
 #[derive(ClapArgs, Debug, Clone)]
 pub struct Formats {
     /// Only these formats, separated by commas: unity, glb, plan, picture, preview (the default ones), mjcf, usd, usdz, sdf,
-    /// obj
+    /// obj, report
     #[arg(long, value_name = "FORMATS", value_delimiter = ',', value_parser = crate::formats::name)]
     pub only: Vec<String>,
     /// All formats, not only the default ones
@@ -23,7 +23,7 @@ pub struct Formats {
     #[arg(long, value_enum, value_name = "VIEW", default_value_t = ViewName::Iso)]
     pub view: ViewName,
     /// The size of the picture in pixels: each side from 16 to 4096, at most 8294400 pixels (3840x2160) in all
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x800", value_parser = size)]
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x800", value_parser = size, allow_hyphen_values = true)]
     pub size: [usize; 2],
 }
 

@@ -38,7 +38,8 @@ fn only_the_usual_formats_are_written_unless_others_are_asked_for() {
     let usual = ["picture.png", "plan.png", "plan.svg", "preview.html", "room.glb", "unity"].map(str::to_owned);
     assert_eq!(written(folder.path()), BTreeSet::from(usual.clone()));
     let further =
-        ["obj", "room.mjcf.json", "room.mjcf.xml", "room.usda", "room.usdz", "sdf", "textures"].map(str::to_owned);
+        ["obj", "report.html", "room.mjcf.json", "room.mjcf.xml", "room.usda", "room.usdz", "sdf", "textures"]
+            .map(str::to_owned);
     assert_eq!(export(folder.path(), &["--all-formats"]).code, 0);
     assert_eq!(written(folder.path()), usual.into_iter().chain(further).collect());
     let ended = scenelang(folder.path(), ["synth", "room.scene", "-o", "some", "--only", "mjcf", "--format", "json"]);
@@ -130,7 +131,7 @@ fn a_name_that_is_no_format_is_refused_and_the_formats_are_listed() {
     let folder = solved();
     let ended = export(folder.path(), &["--only", "fbx"]);
     assert_eq!(ended.code, 2);
-    for name in ["unity", "glb", "plan", "picture", "preview", "mjcf", "usd", "usdz", "sdf", "obj"] {
+    for name in ["unity", "glb", "plan", "picture", "preview", "mjcf", "usd", "usdz", "sdf", "obj", "report"] {
         assert!(ended.stderr.contains(name), "{name}: {}", ended.stderr);
     }
     assert_eq!(export(folder.path(), &["--only", "usd", "--all-formats"]).code, 2);

@@ -49,6 +49,7 @@ mod query;
 mod rebuild;
 mod repair;
 mod replacing;
+mod report_page;
 mod rigid_bodies;
 mod rooms;
 mod sceneeval;

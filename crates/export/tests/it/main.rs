@@ -8,6 +8,7 @@ mod glb;
 mod live;
 mod pictures;
 mod project;
+mod report;
 mod scene;
 mod scripts;
 mod simulators;
