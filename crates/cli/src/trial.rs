@@ -106,7 +106,22 @@ impl TrialOutcome {
         if let (true, Some((name, far))) = (drifts.is_empty(), self.moves().next()) {
             out += &format!("  no object moves by more than 2 cm; {name} moves the most, by {}\n", millimetres(far));
         }
+        out += &self.reaches();
         out
+    }
+
+    /// How far each joint comes of the way to its limit, a line each. What stands before a drawer may rightly stop it, so that
+    /// it is told and nothing more.
+    fn reaches(&self) -> String {
+        let row = |row: &Value| {
+            let (joint, [reach, limit]) = (row["joint"].as_str()?, ["reach", "limit"].map(|key| row[key].as_f64()));
+            let (reach, limit) = (reach?, limit?);
+            Some(match row["motion"].as_str()? {
+                "hinge" => format!("  {joint} opens to {reach:.1}° of {limit:.1}°\n"),
+                _ => format!("  {joint} opens to {reach:.3} m of {limit:.3} m\n"),
+            })
+        };
+        self.said["joints"].as_array().into_iter().flatten().filter_map(row).collect()
     }
 }
 
@@ -131,5 +146,10 @@ mod tests {
         assert!(!moved.holds());
         assert_eq!(moved.human(), "MuJoCo 4, 2 s:\n  a and b overlap by 10.0 mm\n  a moves by 400.0 mm\n");
         assert_eq!(moved.json()["ok"], false);
+        let driven = json!({ "joints": [
+            { "joint": "door/leaf", "motion": "hinge", "reach": 85.04, "limit": 110.0 },
+            { "joint": "desk/drawer", "motion": "slide", "reach": 0.4, "limit": 0.4 } ] });
+        let reaches = TrialOutcome { said: driven }.reaches();
+        assert_eq!(reaches, "  door/leaf opens to 85.0° of 110.0°\n  desk/drawer opens to 0.400 m of 0.400 m\n");
     }
 }

@@ -523,8 +523,8 @@ pub struct Export {
     /// Export only this object as a robot, in the format `urdf`; other formats only if they are named
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Also write `mjcf`, load it in MuJoCo, and report what overlaps and how far objects move in two seconds. This needs
-    /// Python with the package mujoco; SCENELANG_PYTHON sets the interpreter
+    /// Also write `mjcf`, load it in MuJoCo, and report what overlaps, how far objects move in two seconds, and how far
+    /// joints open. This needs Python with the package mujoco; SCENELANG_PYTHON sets the interpreter
     #[arg(long = "try")]
     pub trial: bool,
     /// The output format
