@@ -52,8 +52,10 @@ impl Trial<'_> {
         let own = self.flat(i);
         let [x, z] = own.at;
         let mut best: Option<(usize, f64)> = None;
+        // What moves in this trial is not in the grid yet. The list of it is elsewhere while it is judged.
         let found = self.near.at([x, z]).map(|there| {
-            let mut found: Vec<usize> = there.iter().copied().chain(self.moved.iter().map(|(m, ..)| *m)).collect();
+            let moving = (0..self.count()).filter(|j| self.is_moved[*j]);
+            let mut found: Vec<usize> = there.iter().copied().chain(moving).collect();
             found.sort_unstable();
             found.dedup();
             found
