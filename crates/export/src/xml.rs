@@ -70,7 +70,7 @@ impl Xml {
 }
 
 /// A text as XML can hold it: signs of its own as entities, and what it has no place for replaced by U+FFFD.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -47,6 +47,8 @@ pub enum ChangeStep<'a> {
 pub struct Steps<'a> {
     /// The folder that is changed.
     folder: PathBuf,
+    /// The folders in which its files are.
+    folders: BTreeSet<PathBuf>,
     /// All of them.
     pub steps: Vec<ChangeStep<'a>>,
     /// Files that are written: their bytes are other ones than before.
@@ -63,13 +65,10 @@ impl<'b> Change<'_, 'b> {
     /// # Errors
     /// A file cannot be read.
     pub fn steps(&self, folder: &Path) -> io::Result<Steps<'b>> {
-        // Also where all files are as they should be already.
-        let folders: BTreeSet<PathBuf> =
-            self.files.iter().filter_map(|(name, _)| folder.join(name).parent().map(Path::to_path_buf)).collect();
-        sweep(folders.iter().map(PathBuf::as_path));
         let mut list = List::of(folder);
         let before = list.text();
-        let mut out = Steps { folder: folder.to_path_buf(), ..Steps::default() };
+        let folders = self.files.iter().filter_map(|(name, _)| folder.join(name).parent().map(Path::to_path_buf));
+        let mut out = Steps { folder: folder.to_path_buf(), folders: folders.collect(), ..Steps::default() };
         let (mut set, mut sums) = (Vec::new(), Vec::new());
         for (name, bytes) in self.files {
             let path = folder.join(name);
@@ -158,6 +157,8 @@ impl Steps<'_> {
     /// # Errors
     /// What the file system says; the message names the path, and the files that are new.
     pub fn run(&self) -> io::Result<()> {
+        // A process that was killed leaves files, also where there is nothing to write any more.
+        sweep(self.folders.iter().map(PathBuf::as_path));
         self.first(self.steps.len())
     }
 
@@ -226,6 +227,20 @@ mod tests {
         // What was kept is the user's now.
         assert_eq!(in_the_way(dir.path(), &[("deep/c".into(), b"2")]).unwrap().len(), 1);
         assert!(change(&old[..1], &gone).steps(dir.path()).unwrap().steps.is_empty());
+    }
+
+    #[test]
+    fn what_a_killed_process_left_goes_though_nothing_is_written() {
+        let dir = tempfile::tempdir().unwrap();
+        let files: [(PathBuf, &[u8]); 1] = [("deep/a".into(), b"1")];
+        write_folder(dir.path(), &files).unwrap();
+        let left = dir.path().join("deep/.scenelang-aB3dE6.part");
+        let age = std::time::SystemTime::now() - std::time::Duration::from_secs(600);
+        fs::File::create(&left).unwrap().set_modified(age).unwrap();
+        let steps = change(&files, &[]).steps(dir.path()).unwrap();
+        assert!(steps.steps.is_empty() && left.exists());
+        steps.run().unwrap();
+        assert!(!left.exists());
     }
 
     #[test]

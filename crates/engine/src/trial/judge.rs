@@ -219,7 +219,7 @@ impl Trial<'_> {
             self.raised_count = self.raised_count + usize::from(raised) - usize::from(self.raised[i]);
             self.raised[i] = raised;
             let seat = self.container[i].or_else(|| if raised { self.find_seat(i) } else { None });
-            self.sit(i, seat);
+            self.seats.sit(i, seat);
         }
         self.paths_keep(&moved);
         let fresh = std::mem::take(&mut self.fresh);
@@ -236,21 +236,6 @@ impl Trial<'_> {
         self.moved.clear();
         self.leaned.clear();
         self.variables.moved.clear();
-    }
-
-    /// An object stands on another from now on, or on none.
-    fn sit(&mut self, i: usize, seat: Option<usize>) {
-        let old = std::mem::replace(&mut self.seat[i], seat);
-        if old == seat {
-            return;
-        }
-        if let Some(old) = old {
-            self.riders[old].retain(|k| *k != i);
-        }
-        if let Some(new) = seat {
-            let at = self.riders[new].partition_point(|k| *k < i);
-            self.riders[new].insert(at, i);
-        }
     }
 
     /// Whether a check holds, as last judged.

@@ -14,6 +14,7 @@ mod near;
 mod paths;
 mod physical;
 mod rooms;
+mod seats;
 mod setup;
 mod swing;
 mod variables;
@@ -35,6 +36,7 @@ use scenelang_lang::program::ObjectId;
 use scenelang_layout::Vec3;
 use scenelang_verify::coded::{self, Block, Coded, CodedValue, Coder, INPUTS, Slots};
 use scenelang_verify::{Tolerances, World, rules};
+use seats::Seats;
 use setup::Known;
 pub use setup::inside_of;
 use std::sync::Arc;
@@ -208,10 +210,8 @@ pub struct Trial<'a> {
     /// By object: whether it stands on something else than a floor.
     raised: Vec<bool>,
     raised_count: usize,
-    /// By object: what it stands on, if that is not a floor.
-    seat: Vec<Option<usize>>,
-    /// By object: what stands on it, in order.
-    riders: Vec<Vec<usize>>,
+    /// What stands on what, if that is not a floor.
+    seats: Seats,
     /// What has moved in the trial, and where it was.
     pub moved: Vec<Moved>,
     /// By object: whether it is among these.
@@ -307,8 +307,7 @@ impl<'a> Trial<'a> {
             hits: vec![Vec::new(); n],
             raised: vec![false; n],
             raised_count: 0,
-            seat: vec![None; n],
-            riders: vec![Vec::new(); n],
+            seats: Seats::new(n),
             is_moved: vec![false; n],
             doors,
             doorway: 2.0 * world.options.eta + world.options.tolerances.door,

@@ -77,8 +77,8 @@ impl Trial<'_> {
         self.shift(i, inputs);
         if self.raised_count > 0 && depth < HIGH {
             // What stands on what changes only when a trial is kept.
-            for at in 0..self.riders[i].len() {
-                let k = self.riders[i][at];
+            for at in 0..self.seats.riders(i).len() {
+                let k = self.seats.riders(i)[at];
                 if self.is_movable(k) {
                     self.take(k, carried(&old, &inputs, &self.inputs(k)), depth + 1);
                 }

@@ -1,20 +1,9 @@
 //! Text as HTML can hold it.
 
-/// A text in an element or an attribute. Signs of the markup become entities, and what a page may not contain U+FFFD.
+/// A text in an element or in an attribute within double quotes. What a page may not contain becomes U+FFFD.
 pub(super) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            c if is_allowed(c) => out.push(c),
-            _ => out.push('\u{fffd}'),
-        }
-    }
-    out
+    let allowed: String = text.chars().map(|c| if is_allowed(c) { c } else { '\u{fffd}' }).collect();
+    crate::xml::escaped(&allowed)
 }
 
 /// Markup without what a page may not contain.
@@ -37,7 +26,7 @@ mod tests {
     #[test]
     fn nothing_breaks_out() {
         let text = "</td><script>alert('1')</script>\" onload=\"x\" &amp; \u{0}\u{7f}\u{85}\r\u{ffff}\u{202e}灯";
-        let want = "&lt;/td&gt;&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt;&quot; onload=&quot;x&quot; &amp;amp; \
+        let want = "&lt;/td&gt;&lt;script&gt;alert('1')&lt;/script&gt;&quot; onload=&quot;x&quot; &amp;amp; \
                     \u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}灯";
         assert_eq!(escaped(text), want);
         assert_eq!(clean("<b>\u{1}a\u{9f}</b>\n"), "<b>a</b>\n");

@@ -109,6 +109,32 @@ fn what_is_not_placed_is_named() {
     assert!(matches!(flat.build().unwrap_err(), BuildError::Floor(name, _) if name == "hall"));
 }
 
+#[test]
+fn what_shares_space_with_its_carrier_is_held() {
+    let text =
+        "object cot; object blanket; object stool; object book; allowCollide(blanket, cot); allowCollide(stool, cot);";
+    let compiled = compile_text("room.scene", Path::new("room.scene"), text, Options::default());
+    let program = compiled.program.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+    let layout = r#"{ "format": "scenelang.layout/1", "regions": {}, "objects": {
+        "cot": { "pos": [0, 0, 0], "scale": [0.7, 0.5, 1.4] },
+        "blanket": { "pos": [0, 0.3, 0], "scale": [0.6, 0.3, 0.8] },
+        "stool": { "pos": [0.5, 0, 0], "scale": [0.4, 0.4, 0.4] },
+        "book": { "pos": [0, 0.5, 0.6], "scale": [0.1, 0.02, 0.1] } } }"#;
+    let report = json!({ "format": "scenelang.report/1", "eta": 0.03, "constraints": [], "diagnostics": [] });
+    let input = SceneInput {
+        name: "room",
+        program: &program,
+        sources: &compiled.sources,
+        files: &[compiled.main],
+        layout: &file::read(layout, FileId(0)).layout,
+        layout_text: layout,
+        report: &report,
+    };
+    let bodies: Vec<Body> = Scene::build(&input).unwrap().objects.iter().map(|o| o.body).collect();
+    // The stool stands beside the cot on the floor, the book rests on it.
+    assert_eq!(bodies, [Body::Free, Body::Held, Body::Free, Body::Free]);
+}
+
 /// A scene shows the colours that the draws of its layout choose.
 #[test]
 fn what_is_chosen_is_shown() {

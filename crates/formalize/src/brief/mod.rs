@@ -15,7 +15,7 @@ mod thing;
 
 pub use fact::{Dim, Fact, FactKind, Op, Pattern, Place, Quantifier, Rel, Side};
 pub use room::Room;
-pub use thing::{Group, Look, Number, Pick, Subset, Thing, ThingOrigin};
+pub use thing::{Group, Look, Number, Pick, Subset, Thing, ThingOrigin, opens};
 
 use std::ops::Range;
 

@@ -227,10 +227,15 @@ const OPENING: [&str; 24] = [
     "washer",
 ];
 
+/// Whether furniture of this name has doors, drawers or a lid.
+pub fn opens(word: &str) -> bool {
+    OPENING.contains(&word)
+}
+
 impl Thing {
     /// Whether it is furniture with doors, drawers or a lid.
     pub fn has_doors(&self) -> bool {
-        self.words.last().is_some_and(|word| OPENING.contains(&word.as_str()))
+        self.words.last().is_some_and(|word| opens(word))
     }
 
     /// Whether so many people sit at each of several tables: "six tables for eight". More are all of them together.

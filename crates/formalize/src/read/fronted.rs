@@ -28,10 +28,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     // The amount, behind the name of the thing and perhaps a comma.
-    let is_amount = |k: usize| {
-        let unit = number::count(&tokens[k..]).is_some_and(|(_, used)| is_length(word(tokens, k + used)));
-        unit || tokens[k].text.parse::<f64>().is_ok()
-    };
+    let is_amount =
+        |k: usize| number::count(&tokens[k..]).is_some_and(|(_, used)| number::unit(word(tokens, k + used)).is_some());
     let Some(number) = (article + 2..(article + NAME + AMOUNT.len()).min(tokens.len())).find(|k| is_amount(*k)) else {
         return false;
     };
@@ -61,23 +59,6 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-fn is_length(unit: &str) -> bool {
-    matches!(
-        unit,
-        "m" | "metre"
-            | "metres"
-            | "meter"
-            | "meters"
-            | "cm"
-            | "centimetres"
-            | "centimeters"
-            | "feet"
-            | "foot"
-            | "ft"
-            | "inches"
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -90,6 +71,7 @@ mod tests {
                 "a depth of at least 0.9 m shall remain free behind every chair .",
             ),
             ("in front of the wardrobe, 1 m must be kept clear.", "1 m must be kept clear in front of the wardrobe ."),
+            ("behind the sofa two plants stand clear.", "behind the sofa two plants stand clear ."),
             (
                 "behind the sofa is a table 1 m wide, free of things.",
                 "behind the sofa is a table 1 m wide , free of things .",

@@ -1,6 +1,7 @@
 //! That furniture opens, and how far: "the fridge must open to at least 90 degrees", "the drawers of the desk can be pulled out
 //! by 30 cm", "the wardrobe does not need to open".
 
+use super::lexicon::singular;
 use super::measure::measure;
 use super::number;
 use super::paraphrase::{ends, put, word};
@@ -10,6 +11,8 @@ use crate::brief::{Op, Pattern};
 /// Words between what opens and how far.
 const BETWEEN: [&str; 15] =
     ["to", "by", "at", "least", "up", "an", "a", "angle", "of", "full", "the", "through", "minimum", "out", "fully"];
+/// So many words name the furniture that has the doors.
+const NAME: usize = 3;
 /// No door is opened farther (degrees), and no drawer pulled out (centimetres).
 const MOST: f64 = 270.0;
 
@@ -51,7 +54,9 @@ fn doors_of(tokens: &mut Vec<Token>, i: usize) -> bool {
     if word(tokens, i) != "the" || !part || word(tokens, i + 2) != "of" || word(tokens, i + 3) != "the" {
         return false;
     }
-    let said = (i + 5..i + 7).any(|k| verb_follows(tokens, k));
+    // "The doors of the classroom" are those of a room.
+    let end = (i + 4..i + 4 + NAME).find(|k| crate::brief::opens(&singular(word(tokens, *k))));
+    let said = end.is_some_and(|end| verb_follows(tokens, end + 1));
     if said {
         tokens.drain(i..i + 3);
     }
@@ -61,9 +66,8 @@ fn doors_of(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "The fridge door must open": the fridge must.
 fn its_door(tokens: &mut Vec<Token>, i: usize) -> bool {
     let part = matches!(word(tokens, i), "door" | "doors" | "drawer" | "drawers" | "lid");
-    let owner = i > 0
-        && super::shares::noun(tokens, i - 1).is_some()
-        && super::lexicon::get().room(word(tokens, i - 1)).is_none();
+    // "The glass door" is no door of a glass.
+    let owner = i > 0 && crate::brief::opens(word(tokens, i - 1));
     let said = part && owner && verb_follows(tokens, i + 1);
     if said {
         tokens.remove(i);
@@ -101,6 +105,8 @@ mod tests {
             ("the fridge door must open.", "the fridge must opens fully ."),
             ("the wardrobe does not need to open.", "the wardrobe does not need to operate ."),
             ("the kitchen door must open outwards.", "the kitchen door must open outwards ."),
+            ("the glass door must open.", "the glass door must opens fully ."),
+            ("the doors of the classroom can be opened.", "the doors of the classroom can be opened ."),
             ("the shelf needs to be open.", "the shelf needs to be open ."),
         ] {
             assert_eq!(plainly(said), becomes);

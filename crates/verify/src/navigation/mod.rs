@@ -187,13 +187,20 @@ pub(crate) fn bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, 
     found
 }
 
+/// The ways on the storey of two objects, and the objects; `None`: they are on different ones, or one is missing.
+fn tried_between<N: Number>(
+    world: &World<N>,
+    a: ObjectId,
+    b: ObjectId,
+    radius: f64,
+) -> Option<(Arc<Tried>, [&Obb; 2])> {
+    let both = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
+    let [from, to] = both.map(|obb| storey(world, obb));
+    (from == to).then(|| (world.walks.tried(world, from, radius), both))
+}
+
 fn find_bottleneck<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, radius: f64) -> Option<Bottleneck> {
-    let [from, to] = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
-    let storey = storey(world, from);
-    if storey != self::storey(world, to) {
-        return None;
-    }
-    let tried = world.walks.tried(world, storey, radius);
+    let (tried, [from, to]) = tried_between(world, a, b, radius)?;
     let ground = &tried.ground;
     let (gap, end) = bottleneck::find(&tried, [&from.footprint(), &to.footprint()], radius)?;
     let bare = gap.between.iter().all(|&i| ground.obstacles[i].object.is_none());
@@ -225,12 +232,7 @@ pub(crate) fn closing<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, wid
 }
 
 fn find_closing<N: Number>(world: &World<N>, a: ObjectId, b: ObjectId, radius: f64) -> Option<Vec<ObjectId>> {
-    let [from, to] = [&world.object(a).ok()?.body.obb, &world.object(b).ok()?.body.obb];
-    let storey = storey(world, from);
-    if storey != self::storey(world, to) {
-        return None;
-    }
-    let tried = world.walks.tried(world, storey, radius);
+    let (tried, [from, to]) = tried_between(world, a, b, radius)?;
     let ground = &tried.ground;
     let found = bottleneck::closing(ground, [&from.footprint(), &to.footprint()], [a, b], radius);
     Some(found.into_iter().filter_map(|i| ground.obstacles[i].object).collect())
