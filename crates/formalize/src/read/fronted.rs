@@ -8,6 +8,29 @@ use super::token::{Token, WordKind};
 /// Words before an amount of free space.
 const AMOUNT: [&str; 12] =
     ["a", "depth", "width", "space", "distance", "clearance", "area", "of", "at", "least", "about", "strip"];
+/// Words between the amount and what it is to be.
+const VERB: [&str; 20] = [
+    "shall",
+    "should",
+    "must",
+    "will",
+    "is",
+    "are",
+    "has",
+    "have",
+    "to",
+    "be",
+    "kept",
+    "left",
+    "remain",
+    "remains",
+    "stay",
+    "stays",
+    "of",
+    "space",
+    "floor",
+    "clearance",
+];
 /// So many words name a thing, with its article.
 const NAME: usize = 6;
 
@@ -38,7 +61,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let name = &tokens[article..from - comma];
     if name.len() > NAME
         || !name.iter().all(Token::word)
-        || name.iter().any(|t| matches!(t.text.as_str(), "is" | "are" | "and"))
+        || name[1..].iter().any(|t| matches!(t.text.as_str(), "is" | "are" | "and" | "a" | "an" | "the"))
     {
         return false;
     }
@@ -47,7 +70,9 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some(free) = (number..(number + 9).min(tokens.len())).find(free).filter(|k| ends(tokens, k + 1)) else {
         return false;
     };
-    if (number..free).any(|k| matches!(word(tokens, k), "not" | "never") || tokens[k].is(".") || tokens[k].is(",")) {
+    // Nothing stands between the amount and the verb: "a lamp 1.5 m tall stands free" is a lamp.
+    let verb = number + number::count(&tokens[number..]).map_or(0, |(_, used)| used + 1);
+    if !(verb..free).all(|k| VERB.contains(&word(tokens, k))) {
         return false;
     }
     // What is in another order is all where the whole of it is.
@@ -71,6 +96,7 @@ mod tests {
                 "a depth of at least 0.9 m shall remain free behind every chair .",
             ),
             ("in front of the wardrobe, 1 m must be kept clear.", "1 m must be kept clear in front of the wardrobe ."),
+            ("behind the bed a lamp 1.5 m tall stands free.", "behind the bed a lamp 1.5 m tall stands free ."),
             ("behind the sofa two plants stand clear.", "behind the sofa two plants stand clear ."),
             (
                 "behind the sofa is a table 1 m wide, free of things.",
