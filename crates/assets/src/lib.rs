@@ -25,7 +25,7 @@ mod words;
 pub use contrast::{difference, stand_out};
 pub use lexicon::{categories, families, family_of, stand_in};
 pub use lights::Light;
-pub use looks::{color_names, color_of, covering, material_names, on_floor, on_wall, toned};
+pub use looks::{color_names, color_of, covering, material_names, on_floor, on_wall, skirting, toned};
 pub use mesh::{Mesh, MeshGroup, Surface};
 pub use words::words;
 

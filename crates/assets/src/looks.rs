@@ -146,6 +146,9 @@ pub(crate) fn surface(finish: Finish, color: Rgb) -> Surface {
     Surface { name: format!("{name}-{r:02x}{g:02x}{b:02x}"), color, roughness, metallic, emissive, opacity }
 }
 
+/// Off-white, a little darker than usual walls, so that it is seen at their foot (sRGB).
+const SKIRTING: [f32; 3] = [0.85, 0.83, 0.79];
+
 /// The surface of a colour and a material as texts name them, else the usual ones.
 pub fn covering(color: &str, material: &str, usual_color: &str, usual_material: &str) -> Surface {
     let usual = materials(usual_material).first().map_or(Finish::Paint, |m| m.0);
@@ -184,6 +187,15 @@ pub fn on_floor(s: &Surface) -> Surface {
 /// A surface as it covers a wall: ceramic is laid in tiles, and what is painted is plaster.
 pub fn on_wall(s: &Surface) -> Surface {
     laid(s, &[(Finish::Ceramic, Finish::Tiles), (Finish::Paint, Finish::Plaster)])
+}
+
+/// The board at the foot of a wall: painted, where the floor is of boards, carpet, laminate or linoleum and the wall is
+/// plastered. There is none on concrete and stone, at tiled walls and at those of brick.
+pub fn skirting(floor: &Surface, wall: &Surface) -> Option<Surface> {
+    let any = |s: &Surface, finishes: &[Finish]| finishes.iter().any(|finish| is(s, *finish));
+    let has =
+        any(floor, &[Finish::Boards, Finish::Carpet, Finish::Plastic]) && any(wall, &[Finish::Plaster, Finish::Paper]);
+    has.then(|| surface(Finish::Paint, SKIRTING))
 }
 
 fn laid(s: &Surface, table: &[(Finish, Finish)]) -> Surface {

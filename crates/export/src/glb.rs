@@ -8,7 +8,7 @@ use crate::geometry::frame::{mirrored, mirrored_quaternion};
 use crate::geometry::mesh::MeshGroup;
 use crate::geometry::tangent::tangents;
 use crate::physics::{Apart, Physics, drawn_apart};
-use crate::scene::{Role, Shell, view};
+use crate::scene::{Shell, view};
 use crate::{ExportError, Exporter, OutFile, Scene, textures};
 use nalgebra::UnitQuaternion;
 use scenelang_assets::Surface;
@@ -421,11 +421,7 @@ fn node(name: &str, extras: &Value) -> Value {
 }
 
 fn shell_extras(shell: &Shell) -> Value {
-    let part = match shell.role {
-        Role::Floor | Role::Tint => "floor",
-        Role::Ceiling => "ceiling",
-        Role::Wall { .. } => "wall",
-    };
+    let part = shell.role.word();
     match &shell.region {
         Some(region) => json!({ "region": region, "part": part }),
         None => json!({ "part": part }),

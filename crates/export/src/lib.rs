@@ -7,6 +7,8 @@
 //!
 //! Absent here: solving, judging, and how furniture is made (the `assets` room).
 
+#[cfg(not(target_family = "wasm"))]
+mod drawing;
 pub mod embedded;
 mod exporter;
 mod geometry;

@@ -4,14 +4,24 @@ use scenelang_layout::planar::{Vec2, turn};
 
 /// Each vertex moved outwards, so that every edge moves by `distance` (mitred corners).
 pub fn offset(polygon: &[Vec2], distance: f64) -> Vec<Vec2> {
+    offset_each(polygon, &vec![distance; polygon.len()])
+}
+
+/// Each vertex moved outwards, so that every edge moves by a distance of its own (mitred corners). Edges that go on straight
+/// need the same distance.
+pub fn offset_each(polygon: &[Vec2], distances: &[f64]) -> Vec<Vec2> {
     let n = polygon.len();
     (0..n)
         .map(|i| {
-            let before = outward(polygon[(i + n - 1) % n], polygon[i]);
+            let last = (i + n - 1) % n;
+            let before = outward(polygon[last], polygon[i]);
             let after = outward(polygon[i], polygon[(i + 1) % n]);
-            // The mitre point m satisfies m·before = m·after = distance; very sharp corners are cut short.
-            let sum = before + after;
-            polygon[i] + sum * (distance / (0.5 * sum.norm_squared()).max(0.1))
+            // The mitre point m satisfies m·before and m·after = the distances: half their sum along the sum of the normals
+            // and half their difference along the difference. Very sharp corners and very flat steps are cut short.
+            let (sum, turn) = (before + after, before - after);
+            let (half, step) = ((distances[last] + distances[i]) / 2.0, (distances[last] - distances[i]) / 2.0);
+            let along = |way: Vec2, by: f64| way * (by / (0.5 * way.norm_squared()).max(0.1));
+            polygon[i] + along(sum, half) + along(turn, step)
         })
         .collect()
 }
@@ -75,6 +85,17 @@ mod tests {
         for (i, (a, b)) in edges(&l()).enumerate() {
             for k in [i, (i + 1) % 6] {
                 assert!(((out[k] - a).dot(&outward(a, b)) - 0.03).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn edges_move_by_distances_of_their_own() {
+        let distances = [0.12, 0.03, 0.12, 0.1, 0.03, 0.12];
+        let out = offset_each(&l(), &distances);
+        for (i, (a, b)) in edges(&l()).enumerate() {
+            for k in [i, (i + 1) % 6] {
+                assert!(((out[k] - a).dot(&outward(a, b)) - distances[i]).abs() < 1e-12);
             }
         }
     }

@@ -128,11 +128,7 @@ impl<'a> Body<'a> {
         match self.what {
             BodyKind::Object(object) if object.category.is_empty() => &object.family,
             BodyKind::Object(object) => &object.category,
-            BodyKind::Shell(shell) => match shell.role {
-                Role::Floor | Role::Tint => "floor",
-                Role::Ceiling => "ceiling",
-                Role::Wall { .. } => "wall",
-            },
+            BodyKind::Shell(shell) => shell.role.word(),
         }
     }
 

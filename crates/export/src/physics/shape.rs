@@ -80,7 +80,7 @@ fn is_round(radius: f64) -> bool {
 pub(super) fn of_shell(shell: &Shell) -> Vec<Geom> {
     let surface = shell.group.surface;
     match shell.role {
-        Role::Tint => Vec::new(),
+        Role::Tint | Role::Skirting { .. } => Vec::new(),
         Role::Wall { .. } => {
             let slab = |s: &crate::scene::shell::Slab| Geom {
                 shape: Shape::Box(s.size),

@@ -2,6 +2,7 @@
 
 use super::bands::bands;
 use super::raster::{Buffer, Lens, NOTHING, blend, cover, depths, dot, draw, sub, unit};
+use super::sources::Source;
 use super::stage::{Stage, Triangle, TriangleLook};
 use crate::scene::View;
 use nalgebra::Matrix3;
@@ -92,7 +93,13 @@ impl Seen<'_> {
     fn light(&self, middle: [f32; 2], depth: f32, normal: [f32; 3], shown: u32, (open, wide): (f32, f32)) -> [f32; 3] {
         let Some(triangle) = self.opaque.get(shown as usize) else { return backdrop(self.stage, self.lens, middle) };
         let spot = Spot::at(self.lens, middle, depth, normal, wide);
-        shade(&Matter::of(self.stage, triangle, &spot, self.lens), &spot, self.lens.eye, self.sun, open)
+        shade(
+            &Matter::of(self.stage, triangle, &spot, self.lens),
+            &spot,
+            self.lens.eye,
+            (self.sun, &self.stage.sources),
+            open,
+        )
     }
 }
 
@@ -114,7 +121,7 @@ fn backdrop(stage: &Stage, lens: &Lens, at: [f32; 2]) -> [f32; 3] {
     sheet.map(|v| v * dim)
 }
 
-fn camera(view: &View, size: [usize; 2]) -> Lens {
+pub(super) fn camera(view: &View, size: [usize; 2]) -> Lens {
     let half = (view.fov / 2.0).to_radians().tan();
     Lens {
         eye: narrow(view.eye),
@@ -243,11 +250,16 @@ impl Matter {
 }
 
 /// What leaves a surface towards the eye.
-fn shade(matter: &Matter, spot: &Spot, eye: [f32; 3], sun: &Sun, open: f32) -> [f32; 3] {
+fn shade(matter: &Matter, spot: &Spot, eye: [f32; 3], (sun, sources): (&Sun, &[Source]), open: f32) -> [f32; 3] {
     let normal = matter.normal;
     let facing = dot(normal, sun.way).max(0.0);
     let direct = if facing > 0.0 { facing * sun.seen_from(spot.place, spot.normal) } else { 0.0 };
     let filled = dot(normal, sun.fill).max(0.0);
+    let mut near = [0.0; 3];
+    for source in sources {
+        let light = source.at(spot.place, normal);
+        near = from_fn(|i| near[i] + light[i]);
+    }
     let up = normal[1] * 0.5 + 0.5;
     let way = unit(sub(eye, spot.place));
     let half = unit(from_fn(|i| way[i] + sun.way[i]));
@@ -264,7 +276,10 @@ fn shade(matter: &Matter, spot: &Spot, eye: [f32; 3], sun: &Sun, open: f32) -> [
         let sky = (GROUND[i] + (SKY[i] - GROUND[i]) * up + FILL[i] * filled) * open;
         let color = matter.color[i];
         let tint = 1.0 + (color - 1.0) * matter.metallic;
-        color * (sky + SUN[i] * direct) + gloss * SUN[i] * tint + rim * SKY[i] * tint + matter.glow[i] * 0.7
+        color * (sky + SUN[i] * direct + near[i] * open)
+            + gloss * SUN[i] * tint
+            + rim * SKY[i] * tint
+            + matter.glow[i] * 0.7
     })
 }
 
@@ -389,7 +404,7 @@ fn glaze(
             let normal = blend(triangle.normals, hit.weights);
             let middle = [hit.at % width, hit.at / width].map(|v| v as f32 + 0.5);
             let spot = Spot::at(lens, middle, hit.depth, normal, 1.0);
-            let own = shade(&Matter::of(stage, triangle, &spot, lens), &spot, lens.eye, sun, 1.0);
+            let own = shade(&Matter::of(stage, triangle, &spot, lens), &spot, lens.eye, (sun, &stage.sources), 1.0);
             let light = &mut light[hit.at - rows.start * width];
             *light = from_fn(|i| light[i] + (own[i] - light[i]) * look.opacity);
         }

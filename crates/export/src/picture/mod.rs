@@ -6,8 +6,11 @@
 
 mod bands;
 mod cloth;
+#[cfg(not(target_family = "wasm"))]
+mod labels;
 mod light;
 mod raster;
+mod sources;
 mod stage;
 
 use crate::scene::View;
@@ -68,7 +71,10 @@ pub fn png(scene: &Scene, Picture { view: kind, size }: Picture) -> Result<Vec<u
         (None, _) => (View::of(scene, aspect), PictureView::Iso),
     };
     let stage = stage::Stage::new(scene, &view, kind);
-    let pixels = light::render(&stage, &view, size, bands::cores());
+    #[cfg_attr(target_family = "wasm", expect(unused_mut, reason = "names are written where text can be drawn"))]
+    let mut pixels = light::render(&stage, &view, size, bands::cores());
+    #[cfg(not(target_family = "wasm"))]
+    labels::write(&mut pixels, scene, &view, size)?;
     encoded(&pixels, size).map_err(|e| ExportError::Format("picture", e.to_string()))
 }
 

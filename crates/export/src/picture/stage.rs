@@ -3,6 +3,7 @@
 use super::PictureView;
 use super::cloth::Cloth;
 use super::raster::{cross, dot, sub};
+use super::sources::{self, Source};
 use crate::Scene;
 use crate::geometry::mesh::MeshGroup;
 use crate::geometry::polygon::outward;
@@ -79,6 +80,8 @@ pub(super) struct Triangle {
 pub(super) struct Stage {
     pub looks: Vec<TriangleLook>,
     pub triangles: Vec<Triangle>,
+    /// Lamps and windows.
+    pub sources: Vec<Source>,
     /// Height of what the building stands on.
     pub ground: f32,
     /// Edges of the floors that stand on it, x and z.
@@ -90,7 +93,7 @@ pub(super) struct Stage {
 impl Stage {
     /// The scene as seen by an eye.
     pub fn new(scene: &Scene, view: &View, kind: PictureView) -> Self {
-        let mut stage = Self { kind, ..Self::default() };
+        let mut stage = Self { kind, sources: sources::of(scene), ..Self::default() };
         let floors = || scene.shells.iter().filter(|s| s.role == Role::Floor).flat_map(|s| &s.pieces);
         let lowest = floors().map(|p| p.low).fold(f64::INFINITY, f64::min);
         stage.ground = if lowest.is_finite() { lowest as f32 } else { 0.0 };
@@ -147,6 +150,13 @@ impl Stage {
                     *glow = color.map(|c| c * BOUNCE);
                 }
                 self.group(&shell.group, look, false, |p| p);
+            }
+            // What is left of a wall that is cut away is no higher than the board.
+            Role::Skirting { .. } => {
+                if height_left(scene, shell, view, self.kind).is_none_or(|left| left > KERB) {
+                    let look = self.look(surface);
+                    self.group(&shell.group, look, false, |p| p);
+                }
             }
             Role::Wall { .. } => {
                 let look = self.look(surface);
@@ -367,9 +377,9 @@ fn clipped(triangle: &Triangle, inside: impl Fn([f32; 3]) -> f32) -> Vec<Triangl
         .collect()
 }
 
-/// How much of a wall is left, metres; `None`: all of it. Nothing but walls is cut.
+/// How much of a wall, or of the one behind a skirting board, is left, metres; `None`: all of it. Nothing else is cut.
 fn height_left(scene: &Scene, shell: &Shell, view: &View, kind: PictureView) -> Option<f64> {
-    let Role::Wall { from, to } = shell.role else { return None };
+    let (Role::Wall { from, to } | Role::Skirting { from, to }) = shell.role else { return None };
     match kind {
         PictureView::Iso => {}
         PictureView::Top => return Some(PLAN),

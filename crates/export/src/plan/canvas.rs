@@ -86,7 +86,7 @@ pub(super) fn short(v: f64) -> String {
 }
 
 /// Text for XML; characters that XML forbids are left out.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -113,7 +113,7 @@ pub(super) fn mix(a: Rgb, b: Rgb, share: f32) -> Rgb {
 }
 
 /// How wide a text is, pixels: near enough for Latin letters, and wide ones count double.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
+pub(crate) fn text_width(text: &str, size: f64) -> f64 {
     text.chars().map(|c| if (c as u32) < 0x1100 { 0.57 } else { 1.0 }).sum::<f64>() * size
 }
 

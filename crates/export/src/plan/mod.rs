@@ -4,10 +4,9 @@ mod canvas;
 mod dimensions;
 mod furniture;
 mod labels;
-#[cfg(not(target_family = "wasm"))]
-mod png;
 mod svg;
 
+pub(crate) use canvas::{escape, text_width};
 pub use svg::svg;
 
 use crate::{ExportError, Exporter, OutFile, Scene};
@@ -23,9 +22,19 @@ impl Exporter for Plan {
     fn files(&self, scene: &Scene) -> Result<Vec<OutFile>, ExportError> {
         let drawing = svg(scene);
         #[cfg(not(target_family = "wasm"))]
-        let picture = Some(OutFile::new("plan.png", png::png(&drawing)?));
+        let picture = Some(OutFile::new("plan.png", png(&drawing)?));
         #[cfg(target_family = "wasm")]
         let picture = None;
         Ok([OutFile::new("plan.svg", drawing)].into_iter().chain(picture).collect())
     }
+}
+
+/// Pixels of `plan.png` for one of the drawing.
+#[cfg(not(target_family = "wasm"))]
+const ZOOM: f32 = 1.5;
+
+#[cfg(not(target_family = "wasm"))]
+fn png(drawing: &str) -> Result<Vec<u8>, ExportError> {
+    let pixels = crate::drawing::pixels(drawing, ZOOM, "plan")?;
+    pixels.encode_png().map_err(|e| ExportError::Format("plan", e.to_string()))
 }

@@ -74,7 +74,7 @@ fn floor(canvas: &mut Canvas, scene: &Scene, shell: &Shell) {
     let style = match shell.role {
         Role::Floor => format!(r#"fill="{}""#, pale(0.62)),
         Role::Tint => format!(r##"fill="{}" stroke="#8c939c" stroke-width="1" stroke-dasharray="6 4""##, pale(0.55)),
-        Role::Ceiling | Role::Wall { .. } => return,
+        Role::Ceiling | Role::Wall { .. } | Role::Skirting { .. } => return,
     };
     let region = shell.region.as_deref().map_or(String::new(), |r| format!(r#" data-region="{}""#, escape(r)));
     for piece in &shell.pieces {

@@ -2,8 +2,9 @@
 
 use super::dress::{Dresser, Wardrobe};
 use super::memory::{Memory, ObjectLook};
-use super::shell::{self, Opener, Shell, Surfaces, USUAL_WALL};
-use super::{Body, Lamp, Object, Region, RegionKind, ReportRow, Scene, opening};
+use super::shell::{self, Shell, Surfaces, Thickness, USUAL_WALL};
+use super::wall::Opener;
+use super::{Body, Lamp, Object, Region, RegionKind, ReportRow, Scene, opening, thickness};
 use crate::geometry::mesh::MeshGroup;
 use crate::names::Stems;
 use scenelang_assets::{Light, Mesh, Surface};
@@ -89,8 +90,11 @@ pub(super) fn build(input: &SceneInput<'_>, own: Looks<'_>, memory: &Memory) -> 
     let openers = openers(input.program, &objects, wall);
     let mut shells = Vec::new();
     let mut lamps = lamps(&objects);
-    for (region, declared) in regions.iter().zip(&input.program.regions) {
-        shells.extend(enclose(region, declared, wall, &openers, &mut wardrobe));
+    for (index, (region, declared)) in regions.iter().zip(&input.program.regions).enumerate() {
+        let opens = |object: usize| openers.iter().any(|o| o.object == object);
+        let drawn = thickness::of(index, &regions, &objects, opens, wall);
+        let thick = Thickness { stops: wall, drawn: &drawn };
+        shells.extend(enclose(region, declared, thick, &openers, &mut wardrobe));
         if region.kind == RegionKind::Room && !is_lit(region, &lamps) {
             lamps.push(invented(region));
         }
@@ -313,17 +317,23 @@ fn openers(program: &Program, objects: &[Object], wall: f64) -> Vec<Opener> {
 fn enclose(
     region: &Region,
     declared: &program::Region,
-    wall: f64,
+    thick: Thickness<'_>,
     openers: &[Opener],
     wardrobe: &mut Wardrobe,
 ) -> Vec<Shell> {
     let dresser = Dresser::of(declared, region.kind);
     let floor = wardrobe.add(dresser.floor());
     if region.kind != RegionKind::Room {
-        return vec![shell::open(&region.name, &region.prism, wall, region.kind == RegionKind::Zone, floor)];
+        let is_zone = region.kind == RegionKind::Zone;
+        return vec![shell::open(&region.name, &region.prism, thick.stops, is_zone, floor)];
     }
-    let surfaces = Surfaces { floor, wall: wardrobe.add(dresser.wall()), ceiling: wardrobe.add(dresser.ceiling()) };
-    shell::room(&region.name, &region.prism, wall, openers, surfaces)
+    let surfaces = Surfaces {
+        floor,
+        wall: wardrobe.add(dresser.wall()),
+        ceiling: wardrobe.add(dresser.ceiling()),
+        skirting: dresser.skirting().map(|surface| wardrobe.add(surface)),
+    };
+    shell::room(&region.name, &region.prism, thick, openers, surfaces)
 }
 
 /// Warm white, and the luminous intensity of a room's own lamp (candela): modest, for viewers that take it literally.

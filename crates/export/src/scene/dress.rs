@@ -3,7 +3,7 @@
 use super::RegionKind;
 use crate::geometry::mesh::MeshGroup;
 use scenelang_assets::{
-    Asset, AssetRequest, Light, Mesh, Surface, covering, furnish, on_floor, on_wall, stand_out, toned,
+    Asset, AssetRequest, Light, Mesh, Surface, covering, furnish, on_floor, on_wall, skirting, stand_out, toned,
 };
 use scenelang_lang::program;
 use scenelang_layout::{Convex, Placement};
@@ -142,6 +142,11 @@ impl<'a> Dresser<'a> {
 
     pub fn ceiling(&self) -> Surface {
         covering("", "", "#f7f6f2", "plaster")
+    }
+
+    /// Of the boards at the foot of the walls.
+    pub fn skirting(&self) -> Option<Surface> {
+        skirting(&self.floor(), &self.wall())
     }
 
     /// Of the ground where there is no region.

@@ -9,7 +9,9 @@ mod eye;
 mod memory;
 mod opening;
 pub mod shell;
+mod thickness;
 pub mod view;
+mod wall;
 mod weight;
 
 pub use build::{BuildError, Looks, SceneInput};
@@ -46,7 +48,7 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// In order of declaration.
     pub regions: Vec<Region>,
-    /// Floors, ceilings, walls and tints, region by region. Without any region: the ground.
+    /// Floors, ceilings, walls, skirting boards and tints, region by region. Without any region: the ground.
     pub shells: Vec<Shell>,
     /// The lights of its lamps, and one for each room without any.
     pub lamps: Vec<Lamp>,

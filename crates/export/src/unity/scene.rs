@@ -89,7 +89,7 @@ impl Writer<'_> {
             Role::Floor => node.place_on(Layer::Floor),
             Role::Ceiling => node.place_on(Layer::Ceiling),
             Role::Wall { .. } => node.place_on(Layer::Wall),
-            Role::Tint => {}
+            Role::Tint | Role::Skirting { .. } => {}
         }
         self.show(&mut node, &mesh, std::slice::from_ref(&shell.group));
         match shell.role {
@@ -107,7 +107,7 @@ impl Writer<'_> {
                     node.children.push(child.into());
                 }
             }
-            Role::Tint => {}
+            Role::Tint | Role::Skirting { .. } => {}
         }
         Some(node)
     }

@@ -206,11 +206,22 @@ impl Welded {
         out.line(")");
         out.line(&format!("point3f[] points = {}", triples(points())));
         if let Some([width, height]) = tile {
-            let places = self.corners.iter().map(|c| [c.uv[0] / width, c.uv[1] / height].map(to_tenths));
-            let places: Vec<String> = places.map(|[u, v]| format!("({u}, {v})")).collect();
+            // Each place once: validators object to values that are repeated without indices.
+            let mut places: Vec<String> = Vec::new();
+            let mut known = BTreeMap::new();
+            let mut index = |corner: &Corner| {
+                let [u, v] = [corner.uv[0] / width, corner.uv[1] / height].map(to_tenths);
+                let place = format!("({u}, {v})");
+                *known.entry(place).or_insert_with_key(|place| {
+                    places.push(place.clone());
+                    places.len() - 1
+                })
+            };
+            let indices: Vec<String> = self.corners.iter().map(|c| index(c).to_string()).collect();
             out.line(&format!("texCoord2f[] primvars:{PLACES} = [{}] (", places.join(", ")));
             out.line("    interpolation = \"faceVarying\"");
             out.line(")");
+            out.line(&format!("int[] primvars:{PLACES}:indices = [{}]", indices.join(", ")));
         }
         out.line("uniform token subdivisionScheme = \"none\"");
     }
