@@ -4,7 +4,7 @@
 use crate::furnish::furnish;
 use crate::narrow::{narrow, narrow_all, widened};
 use crate::refute::give_up_refuted;
-use scenelang_formalize::draft::ThingOrigin;
+use scenelang_formalize::draft::{Demand, Statement, ThingOrigin};
 use scenelang_formalize::prefer::Stated;
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Draft, Reading, arrange_rooms, overfull};
@@ -103,15 +103,51 @@ fn plain(draft: &Draft) -> Draft {
 /// Gives up what is in the way of a layout.
 fn reduced(draft: &mut Draft, stop: &Stop, progress: &mut dyn FnMut(Progress)) -> (Tried, Option<Layout>) {
     let guided = std::mem::take(&mut draft.guided);
+    let whole = draft.clone();
     let end = searched(draft, stop, progress);
-    // What opens just so far is found again from here, and hardly from nothing.
-    let layout = if end == Tried::Holds { widened(draft, stop, progress) } else { None };
+    let mut layout = None;
+    if end == Tried::Holds {
+        if let Some((fuller, found)) = refilled(&whole, draft, stop, progress) {
+            (*draft, layout) = (fuller, found);
+        }
+        // What opens just so far is found again from here, and hardly from nothing.
+        layout = layout.or_else(|| widened(draft, stop, progress));
+    }
     if end != Tried::Holds {
         // It was of no use.
         draft.narrowed.clear();
     }
     draft.guided = guided;
     (end, layout)
+}
+
+/// Where something that was said could not hold even in an emptier room, what was added was not in its way: the whole draft
+/// without that, if less has to be left out of it; with the layout, if it was found from the places that it has.
+fn refilled(
+    whole: &Draft,
+    emptied: &Draft,
+    stop: &Stop,
+    progress: &mut dyn FnMut(Progress),
+) -> Option<(Draft, Option<Layout>)> {
+    let left_out = |draft: &Draft| draft.left_out.iter().map(|(_, count)| count).sum::<usize>();
+    if left_out(emptied) == left_out(whole) || stop.is_set() {
+        return None;
+    }
+    let given_up = |stated: &Statement| {
+        let is_it = |s: &Statement| s.relaxed && s.text == stated.text && s.source == stated.source;
+        let was_said = stated.demand == Demand::Must && matches!(stated.source, ThingOrigin::Stated(_));
+        was_said && emptied.statements.iter().any(is_it)
+    };
+    let statements = whole.statements.iter().enumerate().filter(|(_, s)| given_up(s)).map(|(i, _)| i).collect();
+    let mut again = whole.clone();
+    if !again.prefer(statements, REASON) {
+        return None;
+    }
+    if let Some(layout) = planned(&again, stop, progress) {
+        return Some((again, Some(layout)));
+    }
+    let holds = searched(&mut again, stop, progress) == Tried::Holds;
+    (holds && left_out(&again) < left_out(emptied)).then_some((again, None))
 }
 
 /// The layout that comes of the places that the draft has for its things, with what has none placed among them.
