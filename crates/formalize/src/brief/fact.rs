@@ -101,6 +101,9 @@ pub enum Side {
     Left,
     Right,
     Above,
+    /// To its left and to its right.
+    Sides,
+    /// On all sides from which one comes to it.
     Around,
 }
 

@@ -65,6 +65,8 @@ struct WireRoom {
     people: Option<usize>,
     #[serde(default, skip_serializing_if = "is_false")]
     only: bool,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    palette: Vec<String>,
     #[serde(default, skip_serializing_if = "plain")]
     floor: WireLook,
     #[serde(default, skip_serializing_if = "plain")]
@@ -236,6 +238,7 @@ impl Wire {
             corners: room.corners,
             people: room.people,
             only: room.only,
+            palette: room.palette.clone(),
             floor: WireLook::of(&room.floor),
             walls: WireLook::of(&room.walls),
             source: WireSource::of(&room.source, request),
@@ -401,6 +404,7 @@ impl Scope<'_> {
             only: room.only,
             // Completion decides it.
             usual: None,
+            palette: room.palette.iter().filter_map(|color| crate::colors::known(color)).collect(),
             floor: room.floor.look(),
             walls: room.walls.look(),
             source: self.source(&format!("{path}.source"), room.source)?,

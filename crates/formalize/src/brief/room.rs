@@ -19,6 +19,8 @@ pub struct Room {
     pub only: bool,
     /// Usual width, height and depth of its kind, for so many people; set when a request is completed.
     pub usual: Option<[f64; 3]>,
+    /// The colours that it is to have, if the request names some for the whole room.
+    pub palette: Vec<String>,
     pub floor: Look,
     pub walls: Look,
     /// Where it comes from.

@@ -417,7 +417,7 @@ fn spread(brief: &Brief, item: usize) -> f64 {
     for f in brief.facts.iter().filter(|f| f.of.contains(&item)) {
         match &f.what {
             FactKind::Among(_, v) => out = out.max(*v),
-            FactKind::Clear(Side::Front | Side::Behind | Side::Around, v) => out = out.max(v * 0.7),
+            FactKind::Clear(Side::Front | Side::Behind | Side::Sides | Side::Around, v) => out = out.max(v * 0.7),
             FactKind::Path(v, _) => out = out.max(v * 0.5),
             FactKind::Gap(Op::Least, v, to) if to.iter().any(|t| brief.count(*t) > 1) => out = out.max(v * 0.5),
             _ => {}

@@ -24,6 +24,7 @@ pub(crate) mod kinds;
 pub(crate) mod number;
 mod openings;
 mod order;
+mod palette;
 mod place;
 mod plan;
 mod room;
@@ -48,6 +49,7 @@ pub use area::overfull;
 pub use daylight::sill;
 pub(crate) use gates::GATE;
 use number::{Scale, scale};
+pub(crate) use palette::paint;
 
 /// Why a robot has a fence that nobody asked for.
 pub(crate) const FENCED: &str = "a robot works behind a fence";
@@ -128,6 +130,7 @@ fn ward([wide, one, two]: [f64; 3], beds: usize) -> [f64; 2] {
 /// What a word means in its room: a bed in a ward is a hospital bed, twin beds are beds for one.
 pub fn refine(brief: &mut Brief) {
     whom::persons(brief);
+    whom::plain_room(brief);
     whom::children(brief);
     whom::pupils(brief);
     whom::student(brief);
@@ -616,8 +619,13 @@ fn named(brief: &mut Brief) {
     }
 }
 
-/// Adds to each room of a draft what such rooms have.
+/// Adds to each room of a draft what such rooms have, in the colours that are asked for.
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
+    fill(draft, brief);
+    paint(draft, brief);
+}
+
+fn fill(draft: &mut Draft, brief: &Brief) {
     let is_named = |thing: &&DraftThing| !is_among_more(draft, brief, thing);
     let mut closed: Vec<String> =
         draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();

@@ -99,6 +99,12 @@ const STEEL: [&str; 4] = ["tool cabinet", "control cabinet", "electrical cabinet
 /// What pictures show, in turn.
 const SHOWN: [&str; 5] = ["abstract", "botanical", "landscape", "geometric", "seascape"];
 
+/// Whether something is of cloth, or stands out by its colour.
+pub fn is_colored(noun: &str) -> bool {
+    let last = noun.rsplit(' ').next().unwrap_or(noun);
+    COLORED.iter().any(|c| *c == noun || *c == last)
+}
+
 /// The look of something of a kind of room; `turn` goes through the colours.
 pub fn look(kind: &FurnishingKind, noun: &str, turn: usize) -> Look {
     let last = noun.rsplit(' ').next().unwrap_or(noun);
@@ -113,8 +119,7 @@ pub fn look(kind: &FurnishingKind, noun: &str, turn: usize) -> Look {
         look.color = kind.colors.first().map(|color| (*color).to_owned());
         return look;
     }
-    let colored = COLORED.iter().any(|c| *c == noun || *c == last);
-    if colored && !kind.colors.is_empty() {
+    if is_colored(noun) && !kind.colors.is_empty() {
         look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
     } else if STEEL.contains(&noun) {
         look.material = Some("steel".to_owned());

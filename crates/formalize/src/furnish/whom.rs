@@ -86,6 +86,25 @@ pub fn instruments(brief: &mut Brief) {
     }
 }
 
+/// What a plain "room" is, by what is asked for in it: one with a bed is a bedroom.
+pub fn plain_room(brief: &mut Brief) {
+    const TELLING: [(&str, &[&str]); 4] = [
+        ("hospital room", &["hospital bed"]),
+        ("bathroom", &["bathtub", "toilet", "shower"]),
+        ("bedroom", &["bed"]),
+        ("living room", &["sofa", "couch"]),
+    ];
+    let [room] = &brief.rooms[..] else { return };
+    let is_plain = room.name.ends_with("room") && kinds::of(&room.name).is_none_or(|kind| kind.name == "room");
+    let has = |noun: &&str| {
+        let is_it = |name: &str| name.strip_suffix(noun).is_some_and(|rest| rest.is_empty() || rest.ends_with(' '));
+        brief.things.iter().any(|thing| thing.part.is_none() && is_it(&thing.words.join(" ")))
+    };
+    if let Some((kind, _)) = TELLING.iter().filter(|_| is_plain).find(|(_, nouns)| nouns.iter().any(|noun| has(noun))) {
+        (*kind).clone_into(&mut brief.rooms[0].name);
+    }
+}
+
 /// A student lives where there is a desk.
 pub fn student(brief: &mut Brief) {
     let [room] = &brief.rooms[..] else { return };
@@ -190,6 +209,9 @@ pub fn children(brief: &mut Brief) {
         let whom = &words[at + 1..];
         child(&whom[..whom.iter().position(|word| ENDS.contains(word)).unwrap_or(whom.len())])
     });
+    // "My teenage son needs a room".
+    let needs = words.iter().position(|word| matches!(*word, "needs" | "need" | "wants" | "want"));
+    let named = named.or_else(|| child(&words[..needs?]));
     if let Some((n, name)) = named.filter(|_| kind == "bedroom") {
         name.clone_into(&mut room.name);
         room.people = Some(n);

@@ -10,7 +10,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 15] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 16] = [
         which_is,
         all_but,
         so_many_of_them,
@@ -22,6 +22,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         behind_what,
         back_to_back,
         aisles,
+        wide_aisles,
         at_the_till,
         connected_rooms,
         connected_by,
@@ -242,6 +243,25 @@ fn back_to_back(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     put(tokens, i, i + 4, &["with", "two", "desks", "against", "opposite", "walls"]);
+    true
+}
+
+/// "Four rows of shelves, aisles 2 m wide": 2 m between the rows.
+fn wide_aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let listed = i > 0 && (tokens[i - 1].is(",") || tokens[i - 1].is("with") || tokens[i - 1].is("and"));
+    if !listed || word(tokens, i) != "aisles" || !tokens[..i].iter().any(|t| t.is("rows")) {
+        return false;
+    }
+    const LONGEST: usize = 6;
+    let said = (i + 2..(i + LONGEST).min(tokens.len())).find(|k| word(tokens, *k) == "wide");
+    let is_number = |t: &Token| matches!(t.kind, WordKind::Number(_));
+    let Some(wide) = said.filter(|wide| tokens[i + 1..*wide].iter().any(is_number)) else { return false };
+    put(tokens, wide, wide + 1, &["between", "the", "rows"]);
+    tokens.remove(i);
+    if tokens[i - 1].is("with") {
+        tokens[i - 1].kind = WordKind::Sign(',');
+        tokens[i - 1].text = ",".to_owned();
+    }
     true
 }
 

@@ -3,6 +3,7 @@
 use super::lexicon::{Class, get, plural};
 use super::number;
 use super::paraphrase::{ends, put, word};
+use super::shares::noun;
 use super::token::{Token, WordKind};
 use super::zones::HOMES;
 use crate::furnish::kinds;
@@ -150,6 +151,22 @@ pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     put(tokens, i, i + 1, &["with"]);
     put(tokens, i + 3, i + 4, &["and"]);
+    true
+}
+
+/// "A warehouse for testing a mobile robot, with four rows of shelves": the warehouse has the robot and the shelves.
+pub(super) fn tested(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let purpose = matches!(word(tokens, i + 1), "testing" | "training" | "demonstrating" | "repairing" | "assembling");
+    if word(tokens, i) != "for" || !purpose || !matches!(word(tokens, i + 2), "a" | "an" | "our" | "the" | "my") {
+        return false;
+    }
+    let Some(name) = noun(tokens, i + 3) else { return false };
+    put(tokens, i, i + 2, &["with"]);
+    let end = name.end - 1;
+    let comma = usize::from(tokens.get(end).is_some_and(|t| t.is(",")));
+    if word(tokens, end + comma) == "with" {
+        put(tokens, end, end + comma + 1, &["and"]);
+    }
     true
 }
 

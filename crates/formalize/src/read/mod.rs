@@ -10,6 +10,7 @@
 //! of which nothing came is in the notes. It takes time in proportion to the text.
 
 mod account;
+mod annexes;
 mod areas;
 mod chunk;
 mod clause;
@@ -30,6 +31,7 @@ mod number;
 mod open_plan;
 mod opening;
 mod owner;
+mod palette;
 mod paraphrase;
 mod paths;
 mod people;
@@ -142,6 +144,8 @@ pub fn brief(request: &str) -> Brief {
             brief.remove(&reader.gone);
         }
         used[people::count(&mut brief.rooms, &tokens)].fill(true);
+        let said = palette::say(&mut brief.rooms, &tokens, &used);
+        used[said].fill(true);
         for said in homes::children(&tokens) {
             used[said] = true;
         }
@@ -195,6 +199,7 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let unknown = unknown::notes(&brief);
     let brief = complete(brief, Extent::Literal);
     let mut draft = compose(&brief);
+    crate::furnish::paint(&mut draft, &brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned().chain(unknown));
     let people = brief.rooms.iter().find_map(|room| room.people);
     if let Some(people) = people.filter(|_| brief.things.iter().all(|thing| thing.places.is_none())) {

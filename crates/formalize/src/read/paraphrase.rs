@@ -9,8 +9,9 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 58] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 60] = [
             super::spelling::plain,
+            super::annexes::plain,
             super::loose::plain,
             super::compass::plain,
             super::opening::plain,
@@ -39,6 +40,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             meant::horseshoe_table,
             meant::barrel_tables,
             meant::vehicles,
+            meant::tested,
             meant::garage_for,
             meant::under_mirror,
             meant::studio_bathroom,

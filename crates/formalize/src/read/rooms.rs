@@ -188,9 +188,10 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             out.spoken.insert(i, room);
             continue;
         }
-        // "the beer cellar, a vaulted room of 12 by 7 m": the same.
+        // "the beer cellar, a vaulted room of 12 by 7 m": the same; "a corridor, an office and a lab": another.
         if i >= 2
             && np.det == Det::Indefinite
+            && (kind.loose || base == "room")
             && chunks[i - 1].piece == ChunkPiece::Comma
             && let Some(room) = out.spoken.get(&(i - 2)).copied()
         {

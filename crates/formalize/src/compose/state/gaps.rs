@@ -1,8 +1,9 @@
 //! Distances that are measured, and room that is kept free.
 
 use super::{Named, Side};
-use crate::brief::{FactKind, Group, Op, Quantifier, Rel};
+use crate::brief::{Fact, FactKind, Group, Op, Place, Quantifier, Rel};
 use crate::write::number;
+use scenelang_lang::nouns::{self, Stands};
 
 impl Named<'_> {
     pub(super) fn gap(&self, a: usize, b: usize, op: Op, v: f64, [subject, object]: [Quantifier; 2]) -> String {
@@ -61,6 +62,23 @@ impl Named<'_> {
         })
     }
 
+    /// Whether seats are said to be at a thing.
+    fn has_seats(&self, a: usize) -> bool {
+        self.brief.facts.iter().any(|f| match &f.what {
+            FactKind::Rel(Rel::Around | Rel::At, to) => !f.not && to.contains(&a),
+            _ => false,
+        })
+    }
+
+    /// Whether a thing stands with its back at a wall, or is said to be at one.
+    fn has_back(&self, a: usize) -> bool {
+        let walled =
+            |f: &Fact| f.of.contains(&a) && matches!(f.what, FactKind::Place(_, Place::Wall | Place::Corner, _));
+        let noun = self.brief.things[a].words.join(" ");
+        let back = nouns::ending(&noun).is_some_and(|noun| noun.stands == Stands::Back);
+        back || matches!(self.group(a), Group::Bed) || self.brief.facts.iter().any(|f| !f.not && walled(f))
+    }
+
     pub(super) fn clear(&self, a: usize, side: Side, v: f64) -> String {
         let v = number(v);
         let door = self.group(a) == Group::Door;
@@ -70,8 +88,12 @@ impl Named<'_> {
             Side::Left => &["left"],
             Side::Right => &["right"],
             Side::Above => &["above"],
-            Side::Around if door => &["front", "behind"],
-            Side::Around => &["left", "right"],
+            Side::Sides | Side::Around if door => &["front", "behind"],
+            Side::Sides => &["left", "right"],
+            // Where people sit, what is free is at its ends.
+            Side::Around if self.has_seats(a) => &["left", "right"],
+            Side::Around if self.has_back(a) => &["front", "left", "right"],
+            Side::Around => &["front", "behind", "left", "right"],
         };
         // A door's front is whichever side the solver gives it.
         let outer = door && self.brief.things[a].beyond.is_none();

@@ -170,7 +170,7 @@ impl Named<'_> {
         let free = 4_usize.saturating_sub(self.corners_before(k, a));
         let taken = self.elements(a);
         let aside = self.brief.facts.iter().find_map(|f| match f.what {
-            FactKind::Clear(Side::Around | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
+            FactKind::Clear(Side::Around | Side::Sides | Side::Left | Side::Right, v) if f.of.contains(&a) => Some(v),
             _ => None,
         });
         if let Some(v) = aside {

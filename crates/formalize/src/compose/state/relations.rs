@@ -16,6 +16,9 @@ const BY_FIRE: f64 = 3.2;
 const ABREAST: usize = 2;
 /// How far a seat is from its table.
 pub(super) const DRAWN_UP: f64 = 0.4;
+/// The same of a table that is lower than a seat, before which there are legs, and how low that is.
+const BEFORE_LEGS: f64 = 0.6;
+const LOW: f64 = 0.5;
 /// How far apart things are that stand across from each other, at least.
 pub(in crate::compose) const ACROSS: f64 = 1.5;
 /// How far "around" reaches, for what is no seat.
@@ -204,6 +207,11 @@ impl Named<'_> {
         })
     }
 
+    /// How far from something the seats around it are.
+    pub(super) fn seat_gap(&self, table: usize) -> f64 {
+        if self.sizes[table][1] < LOW { BEFORE_LEGS } else { DRAWN_UP }
+    }
+
     /// Things around one, or around each of several.
     fn around(&self, a: usize, b: usize, verb: &str, out: &mut Vec<String>) {
         let (n, m) = (self.counts[a], self.counts[b]);
@@ -213,7 +221,7 @@ impl Named<'_> {
             FactKind::Gap(_, v, t) if f.of.contains(&a) && t.contains(&b) => Some(*v),
             _ => None,
         });
-        let d = gap.map_or(if seat { DRAWN_UP } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
+        let d = gap.map_or(if seat { self.seat_gap(b) } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
         if seat && m == 1 && n > 1 && self.array(a) && self.brief.things[b].name().ends_with("fireplace") {
             // It is at a wall: one of the seats is before it, the others are on both sides.
             out.push(format!("{verb} forall a in {of}: near(a, {to}, {});", number(BY_FIRE)));

@@ -1,6 +1,6 @@
 //! Things in rows and circles, and seats at tables that stand so.
 
-use super::relations::{AROUND, DRAWN_UP};
+use super::relations::AROUND;
 use super::{Named, indexed};
 use crate::brief::{FactKind, Group, Op, Pattern, Place, Rel};
 use crate::compose::grid::{self, Grid};
@@ -102,7 +102,7 @@ impl Named<'_> {
                 let around = self.centre_of(a);
                 match around {
                     Some(b) => {
-                        let drawn = if self.group(a) == Group::Seat { DRAWN_UP } else { AROUND };
+                        let drawn = if self.group(a) == Group::Seat { self.seat_gap(b) } else { AROUND };
                         format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
                     }
                     None if RING.contains(&n) => self.in_ring(a),

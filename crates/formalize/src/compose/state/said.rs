@@ -8,6 +8,9 @@ use crate::write::number;
 
 /// What is opposite something is no nearer to it than this part of the shorter side of its room.
 const SMALL_ROOM: f64 = 0.35;
+/// The least between two things across from each other, and what is between walls and things (metres).
+const PASSAGE: f64 = 0.6;
+const LOOSE: f64 = 0.1;
 /// What is lower than this may stand at the foot of a bed, so far from it (metres).
 const LOW: f64 = 0.7;
 const AT_FOOT: f64 = 0.6;
@@ -221,7 +224,10 @@ impl Named<'_> {
                 if !(ga == Group::Seat && gb == Group::Seat) && ga != Group::Top && gb != Group::Top {
                     // In a small room nothing is far from anything.
                     let room = self.room_sizes.get(self.brief.things[a].room).copied().unwrap_or([6.0; 3]);
-                    let across = ((SMALL_ROOM * room[0].min(room[2]) * 20.0).floor() / 20.0).min(ACROSS);
+                    let side = room[0].min(room[2]);
+                    let left = side - self.sizes[a][2] - self.sizes[b][2] - LOOSE;
+                    let across = (SMALL_ROOM * side).min(left.max(PASSAGE)).min(ACROSS);
+                    let across = (across * 20.0).floor() / 20.0;
                     out.push(format!("{verb} {};", pairs(&|x, y| format!("far({x}, {y}, {})", number(across)))));
                 }
             }

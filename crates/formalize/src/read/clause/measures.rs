@@ -195,7 +195,9 @@ impl Reader<'_> {
             let whole = m.values.len() > 1 && size[0].is_some() && size[2].is_some();
             // Of a range a room takes the middle.
             let middle = m.least.map(|least| (least + m.values[0]) / 2.0);
-            for (dim, value) in dims.into_iter().filter(|_| !whole && (!limit || middle.is_some())) {
+            // "The corridor is at least 2 m wide": 2 m is enough.
+            let is_size = !limit || middle.is_some() || of_room && !m.dims.is_empty();
+            for (dim, value) in dims.into_iter().filter(|_| !whole && is_size) {
                 self.room_dim(room, dim, middle.unwrap_or(value));
             }
             return;
@@ -350,7 +352,8 @@ impl Reader<'_> {
             Rel::LeftOf => Side::Left,
             Rel::RightOf => Side::Right,
             Rel::Above => Side::Above,
-            Rel::Around | Rel::Beside => Side::Around,
+            Rel::Beside => Side::Sides,
+            Rel::Around => Side::Around,
             _ => Side::Front,
         };
         self.say(of, FactKind::Clear(side, depth));

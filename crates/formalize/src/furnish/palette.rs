@@ -1,0 +1,56 @@
+//! The colours that a request names for a whole room, on its walls and on what stands out by its colour.
+
+use super::kinds;
+use super::taste::is_colored;
+use crate::brief::Brief;
+use crate::draft::{Draft, Look, ThingOrigin};
+
+/// Colours that walls may have without making a room dark.
+const LIGHT: [&str; 17] = [
+    "white",
+    "offwhite",
+    "cream",
+    "beige",
+    "ivory",
+    "sand",
+    "linen",
+    "lightgray",
+    "mint",
+    "lavender",
+    "peach",
+    "lightblue",
+    "lightyellow",
+    "lightgreen",
+    "lightpink",
+    "champagne",
+    "vanilla",
+];
+
+/// Paints the rooms of a furnished draft. What has a colour that was asked for keeps it.
+pub fn paint(draft: &mut Draft, brief: &Brief) {
+    for (at, asked) in brief.rooms.iter().enumerate().filter(|(_, room)| !room.palette.is_empty()) {
+        let Some(room) = draft.rooms.get_mut(at) else { continue };
+        let usual = kinds::of(&room.kind);
+        let light = asked.palette.iter().find(|color| LIGHT.contains(&color.as_str()));
+        let said = asked.walls != Look::default();
+        if let Some(light) = light.filter(|_| !said) {
+            room.walls.color = Some(light.clone());
+        }
+        // What stands before the walls is of another colour, if there is one.
+        let others: Vec<&String> = asked.palette.iter().filter(|color| Some(*color) != light).collect();
+        let colors = if others.is_empty() { asked.palette.iter().collect() } else { others };
+        let mut turn = 0;
+        for thing in draft.things.iter_mut().filter(|thing| thing.room == Some(at)) {
+            let usual = usual.is_some_and(|kind| kind.colors.iter().any(|c| thing.look.color.as_deref() == Some(*c)));
+            let plain = thing.look.color.is_none() && thing.look.material.is_none();
+            let free = match thing.source {
+                ThingOrigin::Stated(_) => plain,
+                ThingOrigin::Inferred(_) => plain || usual,
+            };
+            if free && is_colored(&thing.category.replace('_', " ")) {
+                thing.look.color = Some(colors[turn % colors.len()].clone());
+                turn += 1;
+            }
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! The colours that a room is to have: "in warm beige and brown colours", "pastel tones", "in shades of blue".
+
+use super::lexicon::{LookWord, get};
+use super::paraphrase::word;
+use super::token::Token;
+use crate::brief::Room;
+use crate::colors::known;
+use std::ops::Range;
+
+/// Words for colours in general.
+const COLORS: [&str; 7] = ["colours", "colors", "tones", "shades", "hues", "palette", "scheme"];
+/// What colours are said to be like, and which colours these are.
+const MOODS: [(&str, &[&str]); 9] = [
+    ("warm", &["terracotta", "mustard", "sand"]),
+    ("cool", &["steelblue", "lightgray", "teal"]),
+    ("pastel", &["mint", "peach", "lavender"]),
+    ("earth", &["olive", "clay", "sand"]),
+    ("earthy", &["olive", "clay", "sand"]),
+    ("natural", &["sage", "sand", "clay"]),
+    ("neutral", &["beige", "gray", "white"]),
+    ("bright", &["yellow", "coral", "skyblue"]),
+    ("cheerful", &["yellow", "coral", "skyblue"]),
+];
+/// Words that say nothing more of a colour.
+const SAID: [&str; 4] = ["soft", "muted", "light", "calm"];
+
+/// Writes them into the room that is spoken of there, if the words were not read otherwise. The tokens that say so.
+pub fn say(rooms: &mut [Room], tokens: &[Token], used: &[bool]) -> Range<usize> {
+    let Some((colors, said)) = (0..tokens.len()).find_map(|at| palette(tokens, at)) else { return 0..0 };
+    if used[said.clone()].iter().any(|used| *used) {
+        return 0..0;
+    }
+    let at = tokens[said.start].at.start;
+    let room = rooms.iter().rposition(|room| room.source.at().start <= at).unwrap_or(0);
+    if let Some(room) = rooms.get_mut(room) {
+        room.palette = colors;
+    }
+    said
+}
+
+/// The colours that the word at an index stands for, and all words that say so.
+fn palette(tokens: &[Token], at: usize) -> Option<(Vec<String>, Range<usize>)> {
+    if !COLORS.contains(&word(tokens, at)) {
+        return None;
+    }
+    let is_color = |k: usize| get().look(word(tokens, k)) == Some(LookWord::Color) && known(word(tokens, k)).is_some();
+    let joins = |k: usize| tokens[k].is("and") || tokens[k].is(",");
+    // "Shades of blue and green".
+    if word(tokens, at + 1) == "of" && is_color(at + 2) {
+        let mut end = at + 3;
+        while end + 1 < tokens.len() && joins(end) && is_color(end + 1) {
+            end += 2;
+        }
+        let colors = (at + 2..end).filter(|k| is_color(*k)).filter_map(|k| known(word(tokens, k))).collect();
+        return Some((colors, with_in(tokens, at)..end));
+    }
+    let last = at - usize::from(at > 0 && matches!(word(tokens, at - 1), "colour" | "color"));
+    let mood = |k: usize| MOODS.iter().find(|(mood, _)| *mood == word(tokens, k)).map(|(_, colors)| *colors);
+    let mut start = last;
+    while start > 0 && (is_color(start - 1) || start < last && start > 1 && joins(start - 1) && is_color(start - 2)) {
+        start -= 1;
+    }
+    let mut colors: Vec<String> = (start..last).filter_map(|k| known(word(tokens, k))).collect();
+    while start > 0 && (mood(start - 1).is_some() || SAID.contains(&word(tokens, start - 1))) {
+        start -= 1;
+        if let (true, Some(mood)) = (colors.is_empty(), mood(start)) {
+            colors = mood.iter().map(|color| (*color).to_owned()).collect();
+        }
+    }
+    (!colors.is_empty()).then(|| (colors, with_in(tokens, start)..at + 1))
+}
+
+/// Where a phrase begins with what leads to it: "in", "in a".
+fn with_in(tokens: &[Token], start: usize) -> usize {
+    let article = start - usize::from(start > 0 && matches!(word(tokens, start - 1), "a" | "an"));
+    article - usize::from(article > 0 && matches!(word(tokens, article - 1), "in" | "of"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[test]
+    fn palettes_are_found_with_their_words() {
+        for (text, expected) in [
+            ("a lobby, warm beige and brown colours.", Some(("beige brown", "warm beige and brown colours"))),
+            ("a bedroom in pastel tones", Some(("mint peach lavender", "in pastel tones"))),
+            ("a study in shades of blue and gray.", Some(("blue gray", "in shades of blue and gray"))),
+            ("a nursery in a soft yellow colour scheme", Some(("yellow", "in a soft yellow colour scheme"))),
+            ("chairs in different colours", None),
+            ("three coloured boxes", None),
+        ] {
+            let tokens = tokens(text, 100).0;
+            let found = (0..tokens.len()).find_map(|at| palette(&tokens, at)).map(|(colors, said)| {
+                let words: Vec<&str> = tokens[said].iter().map(|t| t.text.as_str()).collect();
+                (colors.join(" "), words.join(" "))
+            });
+            let expected = expected.map(|(colors, words)| (colors.to_owned(), words.to_owned()));
+            assert_eq!(found, expected, "{text}");
+        }
+    }
+}
