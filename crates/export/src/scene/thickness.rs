@@ -44,22 +44,28 @@ pub(super) fn of(
     let mut neighbours: Vec<Neighbour> = regions.iter().enumerate().filter_map(region).collect();
     neighbours.extend(objects.iter().enumerate().filter_map(object));
     let corners = prism.polygon.corners();
-    let free = |(from, to)| neighbours.iter().map(|n| n.share * gap(from, to, &n.outline)).fold(WALL, f64::min);
-    let mut out: Vec<f64> = edges(corners).map(|edge| free(edge).max(least)).collect();
+    let n = corners.len();
+    let free = |(from, to), beyond: [f64; 2]| {
+        neighbours.iter().map(|n| n.share * gap(from, to, beyond, &n.outline)).fold(WALL, f64::min).max(least)
+    };
+    let alone: Vec<f64> = edges(corners).map(|edge| free(edge, [0.0; 2])).collect();
+    // At a corner a wall reaches as far as the next one is thick.
+    let beyond = |i: usize| [alone[(i + n - 1) % n], alone[(i + 1) % n]];
+    let mut out: Vec<f64> = edges(corners).enumerate().map(|(i, edge)| free(edge, beyond(i))).collect();
     even_out(corners, &mut out);
     out
 }
 
-/// How far an outline is from an edge, straight outwards from it and from a wall's thickness beside it.
-fn gap(from: Vec2, to: Vec2, outline: &[Vec2]) -> f64 {
+/// How far an outline is from an edge, straight outwards from it and so far beyond its ends.
+fn gap(from: Vec2, to: Vec2, beyond: [f64; 2], outline: &[Vec2]) -> f64 {
     let length = (to - from).norm().max(1e-9);
     let (along, out) = ((to - from) / length, outward(from, to));
     let local = |p: Vec2| Vec2::new((p - from).dot(&along), (p - from).dot(&out));
     let piece = |(a, b): (Vec2, Vec2)| {
         let [a, b] = [local(a), local(b)];
         let [low, high] = if a.x <= b.x { [a, b] } else { [b, a] };
-        let (left, right) = (low.x.max(-WALL), high.x.min(length + WALL));
-        if left > right {
+        let (left, right) = (low.x.max(-beyond[0]), high.x.min(length + beyond[1]));
+        if left > right - 1e-9 && high.x - low.x > 1e-9 || left > right {
             return f64::INFINITY;
         }
         let height = |x: f64| low.y + (high.y - low.y) * ((x - low.x) / (high.x - low.x).max(1e-9)).clamp(0.0, 1.0);

@@ -8,7 +8,7 @@ use scenelang_export::sdf::Sdf;
 use scenelang_export::urdf::Urdf;
 use scenelang_export::usd::{Usd, Usdz};
 use scenelang_export::{Exporter, OutFile};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Cursor, Read};
 
 fn files(exporter: &dyn Exporter) -> BTreeMap<String, Vec<u8>> {
@@ -125,16 +125,25 @@ fn meshes_of_usd_have_places_where_their_material_has_a_texture() {
             Some(line.split_once('[')?.1.split_once(" = [")?.1.matches(sign).count())
         };
         let corners = count("faceVertexIndices", ',').unwrap() + 1;
+        let places = || {
+            let (_, list) = mesh.split_once("primvars:st = [")?;
+            Some(list.split(']').next().unwrap().split("), ").collect::<Vec<_>>())
+        };
         if looks.contains("UsdUVTexture") {
             with += 1;
-            assert_eq!(count("primvars:st", '('), Some(corners + 1), "{material}: with the one of the interpolation");
+            let places = places().unwrap();
+            assert_eq!(places.iter().collect::<BTreeSet<_>>().len(), places.len(), "{material}: each place once");
+            let (_, list) = mesh.split_once("primvars:st:indices = [").unwrap();
+            let indices: Vec<usize> = list.split(']').next().unwrap().split(", ").map(|i| i.parse().unwrap()).collect();
+            assert_eq!(indices.len(), corners, "{material}");
+            assert_eq!(indices.iter().max(), Some(&(places.len() - 1)), "{material}");
             for output in ["Color.outputs:rgb", "Normal.outputs:rgb", "Roughness.outputs:r"] {
                 assert!(looks.contains(&format!("<{path}/{output}>")), "{looks}");
             }
             assert_eq!(looks.matches(&format!("inputs:st.connect = <{path}/Places.outputs:result>")).count(), 3);
         } else {
             without += 1;
-            assert_eq!(count("primvars:st", '('), None, "{material}");
+            assert_eq!(places(), None, "{material}");
         }
     }
     assert!(with > 3 && without > 0, "{with} {without}");

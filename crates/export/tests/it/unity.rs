@@ -103,7 +103,11 @@ fn the_scene_has_the_components_it_needs() {
     assert_eq!(count(54), 4, "doors and windows have no rigid body");
     assert_eq!(count(108), 3, "sun and two lamps");
     assert_eq!([count(20), count(29), count(104), count(157), count(196), count(1_660_057_539)], [1; 6]);
-    assert_eq!(count(23), 6 + 2 * (2 + 4) + 1, "objects; floor, ceiling and four walls for each room; a tint");
+    assert_eq!(
+        count(23),
+        6 + 2 * (2 + 2 * 4) + 1,
+        "objects; floor, ceiling, four walls with skirting for each room; a tint"
+    );
     assert_eq!(count(23), count(33));
     let text = &files[SCENE];
     assert!(documents(text).last().unwrap().0 == 1_660_057_539, "the list of roots comes last");
