@@ -30,6 +30,15 @@ def run(binary, *args, cwd=None):
     return subprocess.run([binary, *args], capture_output=True, text=True, cwd=cwd)
 
 
+def known(base):
+    """A commit to compare with, or nothing where there is none."""
+    if base in ("", NOTHING):
+        return ""
+    if subprocess.run(["git", "cat-file", "-e", f"{base}^{{commit}}"], capture_output=True).returncode != 0:
+        sys.exit(f"error: the commit {base} is not in this clone; let actions/checkout fetch all commits, with `fetch-depth: 0`")
+    return base
+
+
 def changed(base):
     """Files that are there now and differ; all, where there is nothing to compare with."""
     names = git("diff", "--name-only", "-z", "--diff-filter=d", base, "--") if base else git("ls-files", "-z")
@@ -43,7 +52,7 @@ def judged(name):
 
 
 def report(binary, name, cwd=None):
-    ended = run(binary, "check", name, "--format", "json", cwd=cwd)
+    ended = run(binary, "check", "--format", "json", "--", name, cwd=cwd)
     try:
         return json.loads(ended.stdout.splitlines()[0])
     except (IndexError, ValueError):
@@ -71,7 +80,7 @@ def plan(binary, name, to, cwd=None):
     if not name.endswith(".layout.json"):
         return False
     with tempfile.TemporaryDirectory() as folder:
-        run(binary, "export", name, "--only", "plan", "-o", folder, cwd=cwd)
+        run(binary, "export", "--only", "plan", "-o", folder, "--", name, cwd=cwd)
         drawn = Path(folder) / "plan.png"
         if drawn.is_file():
             to.parent.mkdir(parents=True, exist_ok=True)
@@ -95,10 +104,10 @@ def section(binary, name, before, plans):
         if other is not None and other.get("satisfied") != row.get("satisfied"):
             lines.append(f"- {code(key[1])}: {said(other)} → **{said(row)}**")
         elif row.get("satisfied") is False and row["kind"] != "prefer":
-            lines.append(f"- {code(key[1])}: **{said(row)}**: {' '.join(row['message'].split())}")
+            lines.append(f"- {code(key[1])}: **{said(row)}**: {code(row['message'])}")
     for finding in now.get("diagnostics", []):
         at = finding.get("span")
-        place = f" ({at['file']}:{at['start'][0]})" if at else ""
+        place = f" ({code(at['file'])}, line {at['start'][0]})" if at else ""
         lines.append(f"- {finding['code']}{place}: {code(finding['message'])}")
     drawn = [
         which
@@ -107,7 +116,8 @@ def section(binary, name, before, plans):
     ]
     more = len(lines) - LINES
     head = f"### {'✅' if now['ok'] else '❌'} {code(name)}\n"
-    text = "\n".join(lines[:LINES]) or "all of it holds"
+    good = "all of it holds" if name.endswith(".layout.json") else "nothing was found; there is no layout beside it"
+    text = "\n".join(lines[:LINES]) or good
     return f"{head}\n{text}\n" + (f"- and {more} more\n" if more > 0 else ""), drawn
 
 
@@ -119,7 +129,7 @@ def main():
     parser.add_argument("--files", default="")
     args = parser.parse_args()
     binary = str(Path(args.scenelang).absolute())
-    base = "" if args.base in ("", NOTHING) else args.base
+    base = known(args.base)
     plans = args.output / "plans"
     args.output.mkdir(parents=True, exist_ok=True)
     named = args.files.split() or changed(base)
@@ -127,7 +137,7 @@ def main():
     comment, sarif = args.output / "comment.md", args.output / "scenelang.sarif"
     parts, drawn, worst = [], [], 0
     if files:
-        ended = run(binary, "check", *files, "--format", "sarif")
+        ended = run(binary, "check", "--format", "sarif", "--", *files)
         worst = ended.returncode
         sarif.write_text(ended.stdout)
     else:
@@ -141,19 +151,16 @@ def main():
             for name in files[:SCENES]:
                 text, which = section(binary, name, before, plans)
                 parts.append(text)
-                drawn += [f"{name} {when}" for when in which]
+                drawn += which
         finally:
             if before:
                 git("worktree", "remove", "--force", str(before))
     if len(files) > SCENES:
         parts.append(f"and {len(files) - SCENES} more files\n")
-    where = ""
-    if drawn and os.environ.get("GITHUB_RUN_ID"):
-        run_page = "{GITHUB_SERVER_URL}/{GITHUB_REPOSITORY}/actions/runs/{GITHUB_RUN_ID}".format(**os.environ)
-        where = f"\nPlans before and after are in the output `plans` of [this run]({run_page}).\n"
     title = "## Scenes\n\n" if files else "## Scenes\n\nNo scene was changed.\n"
-    comment.write_text(f"{MARK}\n{title}" + "\n".join(parts) + where)
-    for name, value in (("comment", comment), ("sarif", sarif), ("plans", plans), ("verdict", worst)):
+    comment.write_text(f"{MARK}\n{title}" + "\n".join(parts))
+    outputs = {"comment": comment, "sarif": sarif, "plans": plans, "drawn": str(bool(drawn)).lower(), "files": len(files), "verdict": worst}
+    for name, value in outputs.items():
         if "GITHUB_OUTPUT" in os.environ:
             with open(os.environ["GITHUB_OUTPUT"], "a") as out:
                 out.write(f"{name}={value}\n")
