@@ -38,3 +38,8 @@ if (cd "$empty" && npx --prefix "$empty/prefix" --no-install scenelang --version
 fi
 (cd "$empty" && npm install --prefix "$empty/prefix" --offline --no-audit --no-fund --silent --omit=optional "$folder"/scenelang-*-*-[0-9]*.tgz)
 furnish "$empty/prefix/node_modules/.bin/scenelang"
+
+# A container tool is not needed: what the recipe of the image says is followed step by step.
+if [ "$(uname -s)" = Linux ]; then
+    "$python" "$root/packaging/try-image.py" "$folder"
+fi
