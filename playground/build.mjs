@@ -45,6 +45,7 @@ const virtual = {
   },
 };
 const { metafile } = await build({ ...common, absWorkingDir: here("."), metafile: true, entryPoints: [here("src/main.ts")], outfile: join(given.to, "playground.js"), loader: { ".css": "text" }, plugins: [virtual] });
+await build({ ...common, entryPoints: [here("src/embed.ts")], outfile: join(given.to, "embed.js") });
 copyFileSync(here("index.html"), join(given.to, "index.html"));
 
 // What is bundled keeps its licence.

@@ -4,47 +4,28 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
-import { createServer } from "node:http";
 import { tmpdir } from "node:os";
-import { extname, join, resolve } from "node:path";
+import { join, resolve } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { deflateRawSync } from "node:zlib";
-import puppeteer from "puppeteer-core";
+import { PATIENCE, begin, chromium, end } from "./browser.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const folder = resolve(process.env.PLAYGROUND ?? here("../../out/playground"));
 const examples = here("../../examples");
-const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const missing = !existsSync(join(folder, "engine.bin")) ? `no playground in ${folder}; ./x playground builds it` : !existsSync(chromium) ? `no browser at ${chromium}; set CHROMIUM to one` : false;
-const FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
-const PATIENCE = { timeout: 180_000 };
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".bin": "application/octet-stream" };
 
+let started;
 let browser;
-let profile;
-let server;
 let address;
 
 before(async () => {
   if (missing) return;
-  // A server of files, without a header that helps.
-  server = createServer((request, response) => {
-    const name = new URL(request.url, "http://localhost").pathname.slice(1) || "index.html";
-    const file = join(folder, name);
-    if (!existsSync(file)) return response.writeHead(404).end();
-    response.writeHead(200, { "content-type": TYPES[extname(name)] ?? "text/plain" }).end(readFileSync(file));
-  });
-  await new Promise((done) => server.listen(0, "127.0.0.1", done));
-  address = `http://127.0.0.1:${server.address().port}/`;
-  profile = mkdtempSync(join(tmpdir(), "scenelang-playground-"));
-  browser = await puppeteer.launch({ executablePath: chromium, headless: true, args: FLAGS, userDataDir: profile, protocolTimeout: PATIENCE.timeout });
+  started = await begin(folder);
+  ({ browser, address } = started);
 });
-after(async () => {
-  await browser?.close();
-  server?.close();
-  if (profile !== undefined) rmSync(profile, { recursive: true, force: true });
-});
+after(() => end(started));
 
 /** A test with a page of its own: nothing may log an error, and nothing may be asked for but the three files. */
 function check(name, run) {
