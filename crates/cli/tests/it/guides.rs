@@ -1,7 +1,9 @@
 //! The pages of the book for those who come from elsewhere: every command that they print is run, in its order.
 
+use crate::mcp::client::Client;
 use crate::support::{binary, root, run, scenelang, skip};
-use serde_json::Value;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -88,8 +90,15 @@ fn assistants() {
     let folder = tempfile::tempdir().unwrap();
     let ended = run(binary().arg("mcp").arg(folder.path()), b"");
     assert!(ended.code == 2 && ended.stderr.contains("the connection to the MCP client failed"), "{}", ended.stderr);
+    // The table has a row for each tool, with all that it takes.
     let text = fs::read_to_string(root().join("spec/src/for/assistants.md")).unwrap();
-    for tool in ["check", "explain", "formalize", "solve", "repair", "why_not", "render", "speculate", "vocabulary"] {
-        assert!(text.contains(&format!("| `{tool}` |")), "{tool}");
+    let tools = Client::new(folder.path(), &[]).ask("tools/list", &json!({}));
+    for tool in tools["tools"].as_array().unwrap() {
+        let head = format!("| `{}` |", tool["name"].as_str().unwrap());
+        let row = text.lines().find_map(|line| line.strip_prefix(&head)).unwrap_or_else(|| panic!("{head}"));
+        let told: BTreeSet<&str> = row.split('|').next().unwrap().split('`').skip(1).step_by(2).collect();
+        let taken: BTreeSet<&str> =
+            tool["inputSchema"]["properties"].as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(told, taken, "{head}");
     }
 }
