@@ -108,6 +108,14 @@ fn what_it_does() {
 }
 
 #[test]
+fn stubs_are_complete() {
+    match plain() {
+        Some(python) => drop(run(&python, &script("stubs.py"), &[])),
+        None => skip("the module is not tried: no Python 3.11"),
+    }
+}
+
+#[test]
 fn margins_are_those_of_the_command_line() {
     let Some(binary) = command_line() else { return skip("no command line beside the tests: build the workspace") };
     let (script, examples) = (script("agreement.py"), root().join("examples"));
