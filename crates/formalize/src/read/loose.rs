@@ -10,7 +10,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 16] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 18] = [
         which_is,
         all_but,
         so_many_of_them,
@@ -23,6 +23,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         back_to_back,
         aisles,
         wide_aisles,
+        only_so_large,
+        opposite_last,
         at_the_till,
         connected_rooms,
         connected_by,
@@ -246,6 +248,45 @@ fn back_to_back(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "My office is only 3 x 2.5 metres": it is so large.
+fn only_so_large(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let is = matches!(word(tokens, i), "is" | "measures") && matches!(word(tokens, i + 1), "only" | "just");
+    let number = tokens.get(i + 2).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let measured = tokens.get(i + 3).is_some_and(|t| {
+        matches!(
+            t.text.as_str(),
+            "x" | "×" | "by" | "m" | "metres" | "meters" | "square" | "sqm" | "m²" | "feet" | "ft"
+        )
+    });
+    if !is || !number || !measured {
+        return false;
+    }
+    put(tokens, i, i + 2, &["is"]);
+    true
+}
+
+/// "A bed along the wall, a desk with two monitors opposite": the desk is opposite the bed.
+fn opposite_last(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "opposite" || !ends(tokens, i + 1) {
+        return false;
+    }
+    let comma = |end: usize| tokens[..end].iter().rposition(|t| t.is(","));
+    let Some(last) = comma(i) else { return false };
+    let Some(with) = (last + 1..i).find(|k| word(tokens, *k) == "with").filter(|with| with + 1 < i) else {
+        return false;
+    };
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ',' | ';' | ':'));
+    let start = tokens[..last].iter().rposition(stops).map_or(0, |k| k + 1);
+    let start = start + usize::from(matches!(word(tokens, start), "a" | "an" | "the"));
+    let Some(name) = noun(tokens, start).filter(|name| name.end <= last) else { return false };
+    let mut said = vec![tokens.remove(i)];
+    let like = said[0].clone();
+    said.push(Token { text: "the".to_owned(), ..like });
+    said.push(tokens[name.end - 1].clone());
+    tokens.splice(with..with, said);
+    true
+}
+
 /// "Four rows of shelves, aisles 2 m wide": 2 m between the rows.
 fn wide_aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
     let listed = i > 0 && (tokens[i - 1].is(",") || tokens[i - 1].is("with") || tokens[i - 1].is("and"));
@@ -419,6 +460,17 @@ mod tests {
                 "two lamps and a desk. the one is red; a cup is on the other one.",
                 "two lamps and a desk . the one is red ; a cup is on the other one .",
             ),
+            (
+                "a warehouse with four rows of shelves, aisles 2 metres wide, and a robot.",
+                "a warehouse with four rows of shelves , 2 metres between the rows , and a robot .",
+            ),
+            ("my home office is only 3 x 2.5 metres.", "my home office is 3 x 2.5 metres ."),
+            ("there is only 1 desk.", "there is only 1 desk ."),
+            (
+                "a bed along the right wall, gaming desk with two monitors opposite, beanbag.",
+                "a bed along the right wall , gaming desk opposite the bed with two monitors , beanbag .",
+            ),
+            ("a bed, a desk opposite.", "a bed , a desk opposite ."),
             ("two desks connected by a door.", "two desks connected by a door ."),
             ("an office with two connected desks.", "an office with two connected desks ."),
         ] {

@@ -211,8 +211,11 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
 
 /// A brief as a draft with furniture, in rooms that are `roomier`.
 fn furnished(said: Brief, roomier: usize) -> Reading {
-    let unknown = unknown::notes(&said);
     let brief = complete(said.clone(), Extent::Usual);
+    // "For my twin girls": whom a room is for is no thing in it.
+    let is_in = |brief: &Brief, note: &Note| brief.things.iter().any(|thing| thing.source.at() == note.at);
+    let mut unknown = unknown::notes(&said);
+    unknown.retain(|note| !is_in(&said, note) || is_in(&brief, note));
     let mut draft = with_room_for_all(&brief, roomier);
     draft.notes.splice(0..0, brief.notes.iter().cloned().chain(unknown));
     draft.guided = draft.things.iter().map(|thing| thing.count).sum::<usize>() <= MOST_GUIDED;

@@ -405,7 +405,16 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
                 .rev()
                 .take_while(|c| !matches!(c.piece, ChunkPiece::Stop | ChunkPiece::Line))
                 .all(|c| !matches!(c.np(), Some(n) if n.kind == NounKind::Thing));
-    sized || led || heading || subject || opens || joined || first && !beside && !to
+    let one = chunks[i].np().is_some_and(|np| np.det == Det::Indefinite);
+    let joins = |piece: Option<&ChunkPiece>| matches!(piece, Some(ChunkPiece::And | ChunkPiece::Comma));
+    // "A playroom with a rug and shelves, and a nap room with ten beds".
+    let next = one && matches!(before, Some(ChunkPiece::And)) && matches!(before2, Some(ChunkPiece::Comma));
+    let next = next && matches!(after, Some(ChunkPiece::With));
+    // "A reception with a counter, and behind it an office".
+    let it = matches!(before, Some(ChunkPiece::Np(np)) if np.kind == NounKind::Pronoun);
+    let beyond = one && it && matches!(before2, Some(ChunkPiece::Rel(_))) && joins(i.checked_sub(3).and_then(piece));
+    let added = (next || beyond) && chunks[..i].iter().any(|c| c.np().is_some_and(|n| n.kind == NounKind::Room));
+    sized || led || heading || subject || opens || joined || added || first && !beside && !to
 }
 
 /// "The group room is 9 by 7 m": a size follows.
