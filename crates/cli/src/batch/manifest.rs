@@ -69,7 +69,9 @@ pub struct Line {
 pub fn lines(bytes: &[u8], path: &Path) -> (Vec<Line>, String) {
     let door = Door::of(path);
     let mut names = BTreeSet::new();
-    let texts = bytes.split(|b| *b == b'\n').enumerate().filter(|(_, text)| !text.trim_ascii().is_empty());
+    // A byte order mark, as some editors write it.
+    let text = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let texts = text.split(|b| *b == b'\n').enumerate().filter(|(_, text)| !text.trim_ascii().is_empty());
     let lines = texts.map(|(index, text)| {
         let number = index + 1;
         let job = job(text, path, &door).and_then(|job| match &job.name {
@@ -167,6 +169,21 @@ fn sum(bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn how_an_editor_saves_a_manifest_changes_no_line() {
+        let plain = "{\"request\": \"a chair\"}\n\n{\"name\": \"b\", \"source\": \"object a;\"}\n";
+        let read = |text: &str| {
+            let (lines, _) = lines(text.as_bytes(), Path::new("manifest.jsonl"));
+            lines.into_iter().map(|line| (line.number, line.name, line.key, line.job.is_ok())).collect::<Vec<_>>()
+        };
+        let same = read(plain);
+        assert!(same.len() == 2 && same.iter().all(|(.., good)| *good), "{same:?}");
+        let windows = plain.replace('\n', "\r\n");
+        for text in [format!("\u{feff}{plain}"), windows.clone(), format!("\u{feff}{windows}")] {
+            assert_eq!(read(&text), same);
+        }
+    }
 
     #[test]
     fn bad_lines_are_said_and_the_others_are_read() {

@@ -26,7 +26,9 @@ pub fn run(args: &EvalRun) -> u8 {
 
 fn text_of(path: &Path) -> Result<String, String> {
     let bytes = Door::of(path).read(path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
-    String::from_utf8(bytes).map_err(|_| format!("{} is not valid UTF-8", path.display()))
+    let text = String::from_utf8(bytes).map_err(|_| format!("{} is not valid UTF-8", path.display()))?;
+    // A byte order mark, as some editors write it.
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
 /// A suite while it is measured.
