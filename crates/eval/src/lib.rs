@@ -6,10 +6,11 @@
 //! ```
 //!
 //! Beside that: a [`dataset`] of such requests, made by a grammar; the published [`resemblance`] and solution [`correctness`]
-//! with two baselines; layouts scored by the annotations of SceneEval ([`sceneeval`]); all of it for a suite ([`suite`]).
+//! with two baselines, and the [`coherence`] of pictures; layouts scored by the annotations of SceneEval ([`sceneeval`]); all of it for a suite ([`suite`]).
 //!
 //! Absent here: readers of requests (they are handed in), and files.
 
+pub mod coherence;
 pub mod correctness;
 pub mod dataset;
 mod expect;

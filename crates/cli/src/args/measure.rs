@@ -99,6 +99,9 @@ pub struct EvalRun {
     /// Only write the texts for which `--embeddings` needs vectors, one JSON object per line
     #[arg(long, value_name = "FILE.jsonl", conflicts_with = "embeddings")]
     pub texts: Option<PathBuf>,
+    /// Also show the model a picture of each scene from above and ask how well it matches the request; the model must accept pictures
+    #[arg(long)]
+    pub pictures: bool,
     /// How many scenes to measure in parallel; the figures do not depend on it [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,

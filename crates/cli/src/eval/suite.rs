@@ -5,11 +5,17 @@ use crate::args::{EvalReport, EvalRun, SummaryFormat};
 use crate::model::ModelSession;
 use crate::progress::Progress;
 use crate::{GOOD, INTERRUPTED, interrupt, parallel, replace};
+use base64::Engine;
 use scenelang_base::door::Door;
+use scenelang_eval::dataset::DatasetScene;
 use scenelang_eval::resemblance::{Embedded, Lexical, Similarity, of_program, of_scene};
-use scenelang_eval::suite::{Case, Figures, Means, Suite, page, parse};
+use scenelang_eval::suite::{Case, Draw, Figures, Means, Suite, page, parse};
+use scenelang_export::picture::{Picture, PictureView, png};
+use scenelang_export::{Scene, SceneInput};
 use scenelang_formalize::Options;
-use scenelang_llm::{Model, Session};
+use scenelang_lang::compile_text;
+use scenelang_layout::Layout;
+use scenelang_llm::{Image, Model, Session};
 use std::path::{Path, PathBuf};
 
 /// The suite as it was measured, and its figures.
@@ -55,9 +61,15 @@ fn all(args: &EvalRun) -> Result<u8, String> {
     let asked = ModelSession::new(&args.model, &workspace, suite.seed).map_err(|e| e.to_string())?;
     let mut model = asked.map(|asked| asked.into_parts().0);
     let name = model.as_ref().map(|model| model.name().to_owned());
+    if args.pictures && model.is_none() {
+        return Err(
+            "--pictures needs a model that is shown the pictures: name one with --model PROVIDER:NAME".to_owned()
+        );
+    }
     interrupt::gently();
     let stop = interrupt::stop();
-    let means = Means { reader: &read, similarity: similarity.as_ref(), stop: &stop };
+    let draw = args.pictures.then_some(&drawn as &Draw<'_>);
+    let means = Means { reader: &read, similarity: similarity.as_ref(), draw, stop: &stop };
     let run = Run { args, suite: &suite, means, model: name };
     let progress = Progress::new("starting");
     let (mut cases, mut failure, mut again) = (Vec::new(), None, 0);
@@ -119,7 +131,7 @@ impl Run<'_> {
         if interrupt::asked() {
             return None;
         }
-        if let Some(case) = known(&path, &self.suite.key(number, self.means.similarity.name(), self.model.as_deref())) {
+        if let Some(case) = known(&path, &self.suite.key(number, &self.means, self.model.as_deref())) {
             return Some(Ok((case, true)));
         }
         let made = self.suite.case(number, &self.means, model.map(|model| model as &mut dyn Model))?;
@@ -133,6 +145,26 @@ impl Run<'_> {
 /// What our English reader makes of a request, without adding anything.
 fn read(request: &str) -> String {
     scenelang_formalize::write::write(&scenelang_formalize::read(request, &Options { literal: true }).draft)
+}
+
+/// The picture of a layout of a scene from above.
+fn drawn(scene: &DatasetScene, layout: &Layout) -> Result<Image, String> {
+    let name = format!("{}.scene", scene.id);
+    let compiled = compile_text(&name, Path::new(&name), &scene.program, scenelang_lang::Options::default());
+    let program = compiled.program.as_ref().ok_or("its program does not compile")?;
+    let text = scenelang_layout::file::to_json(layout, None);
+    let input = SceneInput {
+        name: &scene.id,
+        program,
+        sources: &compiled.sources,
+        files: &[compiled.main],
+        layout,
+        layout_text: &text,
+        report: &serde_json::Value::Null,
+    };
+    let scene = Scene::build(&input).map_err(|e| e.to_string())?;
+    let png = png(&scene, Picture { view: PictureView::Top, ..Picture::default() }).map_err(|e| e.to_string())?;
+    Ok(Image { media: "image/png".to_owned(), base64: base64::engine::general_purpose::STANDARD.encode(png) })
 }
 
 /// A case that was measured before, of the same suite with the same means.
@@ -198,6 +230,11 @@ fn shown(figures: &Figures) -> String {
     );
     if let Some([held, placed]) = figures.direct {
         out += &format!("direct prompting: {held} % of the relations hold, {placed} % of the objects are placed\n");
+    }
+    if let Some([request, sentence]) = figures.coherence {
+        out += &format!(
+            "pictures show {request} % of the requests and {sentence} % of their sentences, as the model rates them\n"
+        );
     }
     for (row, tau) in figures.resemblance.iter().zip(scenelang_eval::resemblance::TAUS) {
         let similarity = &figures.similarity;

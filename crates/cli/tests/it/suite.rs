@@ -109,6 +109,11 @@ fn a_model_is_asked_and_vectors_are_used() {
     let figures: Value = serde_json::from_str(&ended.stdout).unwrap();
     let placed = figures["direct"][1].as_f64().unwrap();
     assert!(placed > 0.0 && placed < 10.0, "one object of many: {figures}");
+    // The question about its picture has no answer in the conversation: only with --pictures is it asked.
+    let ended = run(folder.path(), &["--model", "replay:talk.json", "--pictures"]);
+    assert!(ended.code == 2 && ended.stderr.contains(&asked.id), "{}", ended.stderr);
+    let ended = run(folder.path(), &["--pictures"]);
+    assert!(ended.code == 2 && ended.stderr.contains("--model"), "{}", ended.stderr);
     // Without the model it is another measurement.
     let figures: Value = serde_json::from_str(&run(folder.path(), &[]).stdout).unwrap();
     assert_eq!((&figures["direct"], &figures["similarity"]), (&Value::Null, &json!("lexical")));

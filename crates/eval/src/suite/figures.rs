@@ -42,6 +42,20 @@ pub const PUBLISHED_RESEMBLANCE: [(&str, [[f64; 9]; 3]); 3] = [
     ),
 ];
 
+/// Published coherence of pictures from above by questions to a vision model (percent), by system and model: with the request, and
+/// with its one sentence (RQ2).
+pub const PUBLISHED_COHERENCE: [(&str, [f64; 2]); 9] = [
+    ("GPT-4o", [28.3, 44.8]),
+    ("Gemini 2.5 Pro", [29.5, 47.9]),
+    ("DeepSeek R1", [29.8, 48.6]),
+    ("direct prompting, GPT-4o", [15.1, 28.6]),
+    ("direct prompting, Gemini 2.5 Pro", [27.1, 41.1]),
+    ("direct prompting, DeepSeek R1", [23.9, 38.9]),
+    ("Holodeck, GPT-4o", [24.7, 37.7]),
+    ("Holodeck, Gemini 2.5 Pro", [26.0, 42.1]),
+    ("Holodeck, DeepSeek R1", [19.8, 31.8]),
+];
+
 /// What is the same in each run on each machine.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -58,6 +72,9 @@ pub struct Figures {
     /// The same of a model that was asked directly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direct: Option<[f64; 2]>,
+    /// How well a model finds that pictures show the requests, and their one sentences; percent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coherence: Option<[f64; 2]>,
     pub similarity: String,
     /// As [`PUBLISHED_RESEMBLANCE`], percent.
     pub resemblance: [[f64; 9]; 3],
@@ -78,6 +95,8 @@ impl Figures {
         };
         let steps = cases.iter().map(|case| case.search.len()).min().unwrap_or(0);
         let asked = !cases.is_empty() && cases.iter().all(|case| case.direct.is_some());
+        let rated: Option<Vec<[f64; 2]>> = cases.iter().map(|case| case.coherence).collect();
+        let rated = rated.filter(|rated| !rated.is_empty());
         let resemblance = std::array::from_fn(|t| {
             let mean = |of: &dyn Fn(&Case) -> [f64; 3]| {
                 let all = cases.iter().map(|case| {
@@ -106,6 +125,8 @@ impl Figures {
             scenes: sum(&|case| usize::from(case.all[0] == case.all[1])),
             grid: placed(&|case| case.grid),
             direct: asked.then(|| placed(&|case| case.direct.unwrap_or_default())),
+            coherence: rated
+                .map(|all| [0, 1].map(|i| round(all.iter().map(|two| two[i]).sum::<f64>() / all.len() as f64))),
             similarity: cases.first().map_or_else(String::new, |case| case.similarity.clone()),
             resemblance,
         }

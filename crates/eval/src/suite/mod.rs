@@ -8,14 +8,16 @@ mod page;
 
 mod plot;
 
-pub use figures::{Figures, PUBLISHED_CORRECTNESS, PUBLISHED_RESEMBLANCE};
+pub use figures::{Figures, PUBLISHED_COHERENCE, PUBLISHED_CORRECTNESS, PUBLISHED_RESEMBLANCE};
 pub use page::{Page, Picture, page};
 
+use crate::coherence;
 use crate::correctness::{direct, grid, iterations, problem, satisfied};
 use crate::dataset::{self, DatasetScene};
 use crate::resemblance::{self, Quality, Similarity, TAUS};
 use crate::score::Share;
-use scenelang_llm::Model;
+use scenelang_layout::Layout;
+use scenelang_llm::{Image, Model};
 use scenelang_solve::{Stop, solve};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
@@ -61,6 +63,9 @@ pub struct Case {
     /// The same of a model that was asked directly.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direct: Option<Placed>,
+    /// How well a model finds that a picture of our layout shows the request, and its one sentence; percent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coherence: Option<[f64; 2]>,
     pub similarity: String,
     /// Resemblance of objects and of constraints at each threshold: precision, recall, F1.
     pub objects: [[f64; 3]; 3],
@@ -80,12 +85,17 @@ pub struct Placed {
     pub dropped: [usize; 2],
 }
 
+/// Makes a picture of a layout of a scene.
+pub type Draw<'a> = dyn Fn(&DatasetScene, &Layout) -> Result<Image, String> + Sync + 'a;
+
 /// What a suite is measured with.
 pub struct Means<'a> {
     /// Makes a program of a request.
     pub reader: &'a (dyn Fn(&str) -> String + Sync),
     /// How likeness is judged.
     pub similarity: &'a dyn Similarity,
+    /// Makes the pictures that a model is shown; without it, none is.
+    pub draw: Option<&'a Draw<'a>>,
     /// Set from elsewhere, it ends the work.
     pub stop: &'a Stop,
 }
@@ -102,10 +112,11 @@ pub fn parse(text: &str) -> Result<Suite, String> {
 }
 
 impl Suite {
-    /// What a case is known by: a case of another key is another one. `by` is what similarity is by, `model` whom is asked.
-    pub fn key(&self, number: u64, by: &str, model: Option<&str>) -> String {
+    /// What a case is known by: a case of another key is another one. `model` is whom is asked.
+    pub fn key(&self, number: u64, means: &Means<'_>, model: Option<&str>) -> String {
         let version = env!("CARGO_PKG_VERSION");
-        format!("{version}/{}/{number}/{by}/{}", self.seed, model.unwrap_or("-"))
+        let shown = if means.draw.is_some() { "/pictures" } else { "" };
+        format!("{version}/{}/{number}/{}/{}{shown}", self.seed, means.similarity.name(), model.unwrap_or("-"))
     }
 
     /// The name of a case.
@@ -117,7 +128,12 @@ impl Suite {
     ///
     /// # Errors
     /// The scene cannot be measured; the model has no answer.
-    pub fn case(&self, number: u64, means: &Means<'_>, model: Option<&mut dyn Model>) -> Option<Result<Case, String>> {
+    pub fn case(
+        &self,
+        number: u64,
+        means: &Means<'_>,
+        mut model: Option<&mut dyn Model>,
+    ) -> Option<Result<Case, String>> {
         let scene = dataset::scene(self.seed, number);
         let begun = Instant::now();
         let made = (means.reader)(&scene.request);
@@ -143,27 +159,37 @@ impl Suite {
             return None;
         }
         let grid = grid::place(&scene, &program, self.seed);
-        let of = |layout: &scenelang_layout::Layout, dropped| Placed {
+        let of = |layout: &Layout, dropped| Placed {
             relations: satisfied(&program, layout).stated.into(),
             dropped: [dropped, program.objects.len()],
         };
         let asked = model.as_ref().map(|model| model.name().to_owned());
-        let direct = match model.map(|model| direct::place(model, &scene, &program, self.seed)) {
+        let bad = |why: String| Some(Err(format!("{}: {why}", scene.id)));
+        let direct = match model.as_mut().map(|model| direct::place(&mut **model, &scene, &program, self.seed)) {
             None => None,
             Some(Ok(answer)) => Some(of(&answer.layout, answer.missing)),
-            Some(Err(why)) => return Some(Err(format!("{}: {why}", scene.id))),
+            Some(Err(why)) => return bad(why.to_string()),
+        };
+        let rated = model.zip(means.draw).map(|(model, draw)| {
+            let picture = draw(&scene, &outcome.layout)?;
+            coherence::rate(model, &scene, &picture).map_err(|why| why.to_string())
+        });
+        let coherence = match rated.transpose() {
+            Ok(rated) => rated,
+            Err(why) => return bad(why),
         };
         let [objects, layout] = resembling(&scene, &made, means.similarity);
         let words = scene.request.split_whitespace().count();
         Some(Ok(Case {
             format: CASE.to_owned(),
-            key: self.key(number, means.similarity.name(), asked.as_deref()),
+            key: self.key(number, means, asked.as_deref()),
             id: scene.id.clone(),
             size: [scene.rooms.len(), scene.things(), scene.instances(), words],
             search: steps.iter().map(|step| step.stated).chain([last.stated]).map(Share::into).collect(),
             all: last.all.into(),
             grid: of(&grid.layout, grid.dropped),
             direct,
+            coherence,
             similarity: means.similarity.name().to_owned(),
             objects,
             layout,

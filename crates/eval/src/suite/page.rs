@@ -1,6 +1,6 @@
 //! The report of a suite: Markdown with plots beside it, or one page of HTML with the plots in it.
 
-use super::figures::{PAPER, PUBLISHED_CORRECTNESS, PUBLISHED_RESEMBLANCE};
+use super::figures::{PAPER, PUBLISHED_COHERENCE, PUBLISHED_CORRECTNESS, PUBLISHED_RESEMBLANCE};
 use super::plot::{Plot, Series};
 use super::{Case, Figures};
 use crate::dataset::PUBLISHED;
@@ -44,6 +44,7 @@ pub fn page(figures: &Figures, cases: &[Case]) -> Page {
     dataset(&mut out, [scenes, rooms, objects, relations, words]);
     correctness(&mut out, figures);
     resemblance(&mut out, figures);
+    coherence(&mut out, figures);
     time(&mut out, cases);
     let pictures = vec![
         Picture {
@@ -133,6 +134,24 @@ fn resemblance(out: &mut String, figures: &Figures) {
     );
 }
 
+/// Nothing where no model was asked.
+fn coherence(out: &mut String, figures: &Figures) {
+    let Some(own) = figures.coherence else { return };
+    out.push_str(
+        "## Coherence of pictures\n\nHow well a vision model finds that a picture from above shows the request, and the same request in one \
+         sentence; percent.\n\n| system | request | sentence |\n|---|---|---|\n",
+    );
+    let rows = std::iter::once(("ours".to_owned(), own));
+    let published = PUBLISHED_COHERENCE.iter().map(|(name, values)| (format!("published: {name}"), *values));
+    for (name, [request, sentence]) in rows.chain(published) {
+        let _ = writeln!(out, "| {name} | {request:.1} | {sentence:.1} |");
+    }
+    out.push_str(
+        "\nNot comparable: another model with another prompt was asked about other requests. As published, each text is asked for twice, \
+         once as \"a top-down view of\" it, and the better answer counts.\n\n",
+    );
+}
+
 fn time(out: &mut String, cases: &[Case]) {
     let (mut read, mut solve): (Vec<f64>, Vec<f64>) =
         (cases.iter().map(|c| c.milliseconds[0]).collect(), cases.iter().map(|c| c.milliseconds[1]).collect());
@@ -146,8 +165,8 @@ fn time(out: &mut String, cases: &[Case]) {
          These times are from the machine on which this page was generated, possibly with other work running, and no test \
          checks them.\n\n\
          PICTURE:evaluation-time.svg\n\n\
-         ## Not measured\n\nThe image scores (BLIP-2, CLIP, questions to a vision model) and the user study are not \
-         reproduced, because they need models and people.\n",
+         ## Not measured\n\nThe image scores (BLIP-2 and CLIP) and the user study are not reproduced, because they need models and people. \
+         Questions to a vision model need one, too: `scenelang eval run --model … --pictures` adds a section.\n",
         middle(&read),
         last(&read),
         middle(&solve),

@@ -25,7 +25,7 @@ fn committed() -> (Suite, Figures) {
 fn no_committed_figure_falls() {
     let (suite, before) = committed();
     let stop = Stop::default();
-    let means = Means { reader: &reader, similarity: &Lexical, stop: &stop };
+    let means = Means { reader: &reader, similarity: &Lexical, draw: None, stop: &stop };
     let cases: Vec<_> = (0..suite.scenes).map(|n| suite.case(n, &means, None).unwrap().unwrap()).collect();
     let now = Figures::of(&suite.name, &cases);
     let fallen = now.fallen(&before);
