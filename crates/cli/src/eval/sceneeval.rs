@@ -31,6 +31,9 @@ pub fn run(args: &EvalSceneEval) -> u8 {
         Ok(benchmark) => benchmark,
         Err(message) => return fail(&message),
     };
+    if let Some(folder) = args.layouts.as_ref().filter(|folder| !folder.is_dir()) {
+        return fail(&format!("--layouts {}: there is no such folder", folder.display()));
+    }
     let mut model = match ModelSession::new(&args.model, &scenelang_verify::settings::Llm::default(), 0) {
         Ok(asked) => asked.map(|asked| asked.into_parts().0),
         Err(why) => return fail(&why.to_string()),

@@ -113,6 +113,14 @@ fn layouts_of_others_are_scored_by_their_names() {
 }
 
 #[test]
+fn layouts_are_looked_for_in_a_folder() {
+    let folder = folder(ROWS);
+    let ended = eval(folder.path(), &["--layouts", "nothing"]);
+    assert!(ended.code == 2 && ended.stderr.contains("--layouts nothing: there is no such folder"), "{ended:?}");
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
 fn broken_files_have_one_message() {
     let cases = [
         ("0,x,,,,,easy\n", "a.csv: line 2: the row has 7 fields, but the header has 8"),
