@@ -272,7 +272,12 @@ fn text(scores: &Scores, worst: usize) -> String {
         let [walked, reached] = [group.navigability, group.accessibility].map(percent);
         plausible.row([name(), held, apart, within, walked, reached, of(group.free)]);
     }
-    let mut out = format!("{}\n{}", measures.render(), plausible.render());
+    let mut out = measures.render();
+    if let Some(all) = scores.groups().first() {
+        let [_, _, between, places] = all.published.map(share);
+        let _ = writeln!(out, "\nwith the published thresholds alone: OOR {between}, OAR {places}");
+    }
+    let _ = write!(out, "\n{}", plausible.render());
     let fates = scores.fates().into_iter().filter(|(_, count)| *count > 0);
     let fates: Vec<String> = fates.map(|(name, count)| format!("{name} {count}")).collect();
     if !fates.is_empty() {

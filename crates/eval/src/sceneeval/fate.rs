@@ -192,6 +192,7 @@ pub fn sentence<'a>(request: &'a str, annotation: &Annotation) -> &'a str {
 #[cfg(test)]
 mod tests {
     use super::super::annotations::read;
+    use super::super::relations::Thresholds;
     use super::super::score::judge;
     use super::*;
     use scenelang_lang::{Options, compile_text};
@@ -224,7 +225,7 @@ region study;
             1,x,\"eq,1,lamp;eq,1,sofa\",\"eq,1,desk,oak\",\"eq,1,on,0,desk,lamp;eq,1,facing,0,lamp,lamp\",\
             \"eq,1,corner,desk,room;eq,1,against,desk,wall;eq,1,near,desk,door\",easy\n";
         let asked = read(rows).unwrap().requests.remove(0);
-        let (verdicts, unjudged) = judge(&asked, &scene, &table);
+        let (verdicts, unjudged) = judge(&asked, &scene, &table, &Thresholds::WIDE);
         assert!(unjudged.is_empty());
         let found: Vec<_> = verdicts
             .iter()

@@ -121,7 +121,7 @@ fn largest(mut free: Vec<bool>) -> usize {
 pub fn accessibility(scene: &ScoredScene, table: &Table) -> Vec<(String, f64)> {
     let ground = Ground::new(scene);
     let stands = |thing: &&ScoredObject| {
-        let lowest = thing.shape.coarse().iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+        let lowest = thing.shape.obb.aabb().min.y;
         thing.held == Held::Below && scene.rooms.iter().any(|room| (lowest - room.floor).abs() < STANDS)
     };
     let score = |thing: &ScoredObject| {

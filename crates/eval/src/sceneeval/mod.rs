@@ -9,6 +9,8 @@
 //! All geometry is on oriented boxes or on the parts of objects, where the original has meshes; what it asks models for is
 //! in `table.txt`, or in the answers of a model (`lookups`). Absent here: how programs and layouts are made.
 
+#[cfg(test)]
+mod agreement;
 pub mod annotations;
 mod csv;
 mod fate;

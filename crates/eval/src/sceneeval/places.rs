@@ -1,15 +1,17 @@
 //! Relations of objects to rooms and to their walls, doors, windows and ceilings, by the published thresholds.
 
-use super::relations::{across, near, next};
+use super::relations::{Thresholds, across, near, next};
 use super::scene::ScoredRoom;
 use super::shape::{Shape, SideTest, ease};
 use super::table::Table;
-use scenelang_layout::Vec2;
+use scenelang_layout::{Placement, Vec2, Vec3};
 
-/// How far from a wall still counts as on it (metres).
-const TOUCHING: f64 = 0.05;
-/// How far beyond the walls is still in the room, and above the floor still on it (metres).
-const SLACK: [f64; 2] = [0.01, 0.02];
+/// How far above the floor is still on it (metres).
+const SLACK: f64 = 0.02;
+/// How thick walls are (metres): what is against a wall is before its face.
+const THICK: f64 = 0.1;
+/// Walls whose directions have a greater cosine make no corner.
+const SQUARE: f64 = 0.15;
 
 /// A relation to a room or a part of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,49 +107,78 @@ impl RoomRelation {
     }
 
     /// How well a box stands in the relation, 0 to 1. `openings` are the doors, or the windows, that are meant.
-    pub fn score(self, shape: &Shape, rooms: &[ScoredRoom], openings: &[&Shape]) -> f64 {
-        let best = |of: &dyn Fn(&Shape) -> f64| openings.iter().map(|opening| of(opening)).fold(0.0, f64::max);
+    pub fn score(self, shape: &Shape, rooms: &[ScoredRoom], openings: &[&Shape], thresholds: &Thresholds) -> f64 {
+        let opening = |of: &dyn Fn(&Shape) -> f64| best(openings.iter().map(|opening| of(opening)));
+        let wall = |of: &dyn Fn(&Shape) -> f64| best(rooms.iter().flat_map(walls).map(|wall| of(&wall)));
+        let before =
+            |wall: &Shape| wall.share_at(shape, SideTest { axis: 2, positive: true, beyond: true, margin: 1e-9 });
         match self {
-            Self::NextToOpening => return best(&|opening| next(shape, opening)),
-            Self::NearOpening => return best(&|opening| near(shape, opening)),
-            Self::AcrossOpening => return best(&|opening| across(shape, opening)),
-            Self::FarFromOpening => return best(&|opening| ease(shape.gap(opening), [4.0, f64::INFINITY], 0.25)),
-            Self::BelowOpening => return best(&|opening| below(shape, opening)),
-            _ => {}
-        }
-        let Some(room) = own_room(shape, rooms) else { return 0.0 };
-        let points = shape.coarse();
-        let center = Vec2::new(shape.obb.center.x, shape.obb.center.z);
-        let off = center - (room.low + room.high) / 2.0;
-        let size = room.high - room.low;
-        let walls = wall_gaps(&points, room);
-        match self {
-            Self::Ceiling => {
-                let top = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-                ease((room.ceiling - top).abs(), [0.0, 0.01], 0.03)
-            }
-            Self::Corner => {
-                let [(first, axis), ..] = walls;
-                let other = walls.iter().find(|(_, a)| *a != axis).map_or(f64::INFINITY, |(gap, _)| *gap);
-                let at = |gap| ease(gap, [0.0, 0.8], 0.25);
-                at(first).min(at(other))
-            }
-            Self::Middle => {
-                let (mean, wide) = ((size.x + size.y) / 2.0, 2.0 * shape.obb.half.x.max(shape.obb.half.z));
-                let deviation = (0.5 * wide + (1.0 - wide / mean)).max(0.05);
-                (-off.norm_squared() / (2.0 * deviation * deviation)).exp()
-            }
-            Self::OnWall if walls[0].0 < TOUCHING => ease(walls[0].0, [0.0, 0.01], 0.01),
-            Self::NearWall => ease(walls[0].0, [0.0, 1.5], 0.25),
-            Self::AgainstWall => ease(walls[0].0, [0.0, 0.3], 0.1),
-            Self::Floor => {
-                let base = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-                if base - room.floor < SLACK[1] { 1.0 } else { 0.0 }
-            }
-            Self::Inside if off.x.abs() <= size.x / 2.0 + SLACK[0] && off.y.abs() <= size.y / 2.0 + SLACK[0] => 1.0,
-            _ => 0.0,
+            Self::NextToOpening => opening(&|opening| next(shape, opening)),
+            Self::NearOpening => opening(&|opening| near(shape, opening, thresholds)),
+            Self::AcrossOpening => opening(&|opening| across(shape, opening)),
+            Self::FarFromOpening => opening(&|opening| ease(shape.gap(opening), [4.0, f64::INFINITY], 0.25)),
+            Self::BelowOpening => opening(&|opening| below(shape, opening)),
+            Self::OnWall => wall(&|wall| before(wall) * ease(shape.gap(wall), [0.0, 0.01], 0.01)),
+            Self::AgainstWall => wall(&|wall| before(wall) * ease(shape.gap(wall), [0.0, 0.3], 0.1)),
+            Self::NearWall => wall(&|wall| near(shape, wall, thresholds)),
+            Self::Corner => best(rooms.iter().map(|room| corner(shape, room))),
+            Self::Middle => best(rooms.iter().map(|room| middle(shape, room))),
+            Self::Ceiling => best(rooms.iter().map(|room| ceiling(shape, room))),
+            Self::Floor => best(rooms.iter().map(|room| {
+                let stands = shape.obb.aabb().min.y - room.floor < SLACK;
+                if stands { room.share_of(shape) } else { 0.0 }
+            })),
+            Self::Inside => best(rooms.iter().map(|room| room.share_of(shape))),
         }
     }
+}
+
+fn best(scores: impl Iterator<Item = f64>) -> f64 {
+    scores.fold(0.0, f64::max)
+}
+
+/// The walls of a room, the front of each towards the room.
+fn walls(room: &ScoredRoom) -> impl Iterator<Item = Shape> + '_ {
+    room.outline.edges().map(|(a, b)| {
+        let along = b - a;
+        // The inside is on the positive side of an edge: x towards z.
+        let front = Vec2::new(-along.y, along.x).normalize();
+        let foot = (a + b) / 2.0 - front * (THICK / 2.0);
+        Shape::new(&Placement {
+            pos: Vec3::new(foot.x, room.floor, foot.y),
+            rot: Vec3::new(0.0, front.x.atan2(front.y).to_degrees(), 0.0),
+            scale: Vec3::new(along.norm(), room.ceiling - room.floor, THICK),
+            parts: Vec::new(),
+            surface: None,
+            joints: Vec::new(),
+        })
+    })
+}
+
+/// Near two walls that it is before at a right angle.
+fn corner(shape: &Shape, room: &ScoredRoom) -> f64 {
+    if room.share_of(shape) < 0.5 {
+        return 0.0;
+    }
+    let sides: Vec<(Vec3, f64)> =
+        walls(room).map(|wall| (shape.way_to(&wall).normalize(), ease(shape.gap(&wall), [0.0, 0.8], 0.25))).collect();
+    let pairs = sides.iter().enumerate().flat_map(|(i, a)| sides[i + 1..].iter().map(move |b| (a, b)));
+    best(pairs.filter(|((a, _), (b, _))| a.dot(b).abs() < SQUARE).map(|((_, a), (_, b))| a * b))
+}
+
+fn middle(shape: &Shape, room: &ScoredRoom) -> f64 {
+    let off = Vec2::new(shape.obb.center.x, shape.obb.center.z) - (room.low + room.high) / 2.0;
+    let size = room.high - room.low;
+    let (mean, wide) = ((size.x + size.y) / 2.0, 2.0 * shape.obb.half.x.max(shape.obb.half.z));
+    let deviation = 0.5 * wide + (1.0 - wide / mean);
+    (-off.norm_squared() / (2.0 * deviation * deviation)).exp()
+}
+
+fn ceiling(shape: &Shape, room: &ScoredRoom) -> f64 {
+    if room.share_of(shape) <= 0.0 {
+        return 0.0;
+    }
+    ease((room.ceiling - shape.obb.aabb().max.y).abs(), [0.0, 0.01], 0.03)
 }
 
 /// The last word of an element: `wall` of `north_wall`.
@@ -169,30 +200,9 @@ fn below(shape: &Shape, opening: &Shape) -> f64 {
     }
 }
 
-/// The room in whose middle a box is most, by the shares of the way to its walls.
-fn own_room<'a>(shape: &Shape, rooms: &'a [ScoredRoom]) -> Option<&'a ScoredRoom> {
-    let center = Vec2::new(shape.obb.center.x, shape.obb.center.z);
-    let off = |room: &ScoredRoom| {
-        let size = (room.high - room.low).sup(&Vec2::repeat(1e-6));
-        (center - (room.low + room.high) / 2.0).component_div(&size).amax()
-    };
-    rooms.iter().min_by(|a, b| off(a).total_cmp(&off(b)))
-}
-
-/// How far a box is from each wall of the rectangle around a room, and the wall's axis (0: x, 1: z), the nearest first.
-fn wall_gaps(points: &[scenelang_layout::Vec3], room: &ScoredRoom) -> [(f64, usize); 4] {
-    let reach = |axis: usize, from: f64, pick: fn(f64, f64) -> f64| points.iter().map(|p| p[2 * axis]).fold(from, pick);
-    let highest = |axis| (room.high[axis] - reach(axis, f64::NEG_INFINITY, f64::max)).abs();
-    let lowest = |axis| (room.low[axis] - reach(axis, f64::INFINITY, f64::min)).abs();
-    let mut gaps = [(highest(0), 0), (lowest(0), 0), (highest(1), 1), (lowest(1), 1)];
-    gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
-    gaps
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use scenelang_layout::{Placement, Vec3};
 
     fn shape(pos: [f64; 3], scale: [f64; 3]) -> Shape {
         let (pos, rot, scale) = (Vec3::from(pos), Vec3::zeros(), Vec3::from(scale));
@@ -205,7 +215,7 @@ mod tests {
     }
 
     fn score(place: RoomRelation, pos: [f64; 3], scale: [f64; 3]) -> f64 {
-        place.score(&shape(pos, scale), &[room()], &[])
+        place.score(&shape(pos, scale), &[room()], &[], &Thresholds::WIDE)
     }
 
     fn close(found: f64, wanted: f64) {
@@ -219,7 +229,7 @@ mod tests {
         close(score(RoomRelation::AgainstWall, [1.4, 0.0, 0.0], cube), (-0.5_f64).exp());
         close(score(RoomRelation::OnWall, [1.795, 1.0, 0.0], cube), 1.0);
         close(score(RoomRelation::OnWall, [1.78, 1.0, 0.0], cube), (-0.5_f64).exp());
-        close(score(RoomRelation::OnWall, [1.7, 1.0, 0.0], cube), 0.0);
+        close(score(RoomRelation::OnWall, [1.7, 1.0, 0.0], cube), (-0.5_f64 * 81.0).exp());
         close(score(RoomRelation::NearWall, [0.5, 0.0, 0.0], cube), 1.0);
         close(score(RoomRelation::Corner, [1.1, 0.0, 0.6], cube), 1.0);
         close(score(RoomRelation::Corner, [1.1, 0.0, 0.25], cube), (-0.5_f64).exp());
@@ -236,21 +246,22 @@ mod tests {
         close(score(RoomRelation::Ceiling, [0.0, 2.16, 0.0], cube), (-0.5_f64).exp());
         close(score(RoomRelation::Floor, [0.0, 0.01, 0.0], cube), 1.0);
         close(score(RoomRelation::Floor, [0.0, 0.1, 0.0], cube), 0.0);
-        close(score(RoomRelation::Inside, [1.9, 0.0, 0.0], cube), 1.0);
-        close(score(RoomRelation::Inside, [2.1, 0.0, 0.0], cube), 0.0);
-        close(RoomRelation::Inside.score(&shape([0.0; 3], cube), &[], &[]), 0.0);
+        close(score(RoomRelation::Inside, [1.9, 0.0, 0.0], cube), 0.75);
+        close(score(RoomRelation::Inside, [2.1, 0.0, 0.0], cube), 0.25);
+        close(RoomRelation::Inside.score(&shape([0.0; 3], cube), &[], &[], &Thresholds::WIDE), 0.0);
     }
 
     #[test]
     fn openings() {
         let window = shape([0.0, 0.9, 1.55], [1.2, 1.2, 0.1]);
-        let at = |place: RoomRelation, pos| place.score(&shape(pos, [0.4; 3]), &[room()], &[&window]);
+        let at =
+            |place: RoomRelation, pos| place.score(&shape(pos, [0.4; 3]), &[room()], &[&window], &Thresholds::WIDE);
         close(at(RoomRelation::BelowOpening, [0.0, 0.0, 1.2]), 1.0);
         close(at(RoomRelation::BelowOpening, [0.0, 2.0, 1.2]), 0.0);
         close(at(RoomRelation::NextToOpening, [0.0, 1.0, 1.0]), 1.0);
         close(at(RoomRelation::AcrossOpening, [0.0, 1.0, -1.0]), 1.0);
         close(at(RoomRelation::FarFromOpening, [0.0, 1.0, -3.0]), 1.0);
-        close(RoomRelation::NearOpening.score(&shape([0.0; 3], [0.4; 3]), &[room()], &[]), 0.0);
+        close(RoomRelation::NearOpening.score(&shape([0.0; 3], [0.4; 3]), &[room()], &[], &Thresholds::WIDE), 0.0);
     }
 
     #[test]

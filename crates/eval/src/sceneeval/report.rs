@@ -3,6 +3,7 @@
 use super::annotations::{AnnotatedRequest, Measure};
 use super::fate::{Fate, LayoutProgram, sentence};
 use super::plausible::Plausible;
+use super::relations::Thresholds;
 use super::scene::ScoredScene;
 use super::score::{AnnotationVerdict, is_judged, judge};
 use super::table::Table;
@@ -63,6 +64,8 @@ pub struct Case {
     pub trouble: Option<String>,
     /// How many annotations hold, by measure.
     pub shares: [Share; 4],
+    /// The same by the thresholds of the benchmark alone.
+    pub published: [Share; 4],
     /// Those that do not.
     pub misses: Vec<Miss>,
     /// Annotations that are not judged.
@@ -80,7 +83,7 @@ impl Case {
         let program = made.program.map(|(program, ..)| program);
         let scene = ScoredScene::new(made.layout, program, table)?;
         let source = made.program.map(|(program, main, text)| LayoutProgram::new(program, main, text));
-        let (verdicts, unjudged) = judge(asked, &scene, table);
+        let (verdicts, unjudged) = judge(asked, &scene, table, &Thresholds::WIDE);
         let miss = |verdict: &AnnotationVerdict<'_>| {
             let told = source.as_ref().map(|source| source.fate(verdict, &scene, table));
             let (fate, statements) = told.map_or((None, Vec::new()), |(fate, all)| (Some(fate), all));
@@ -90,6 +93,7 @@ impl Case {
             layout: Some(made.holds),
             trouble: None,
             shares: shares(&verdicts),
+            published: shares(&judge(asked, &scene, table, &Thresholds::PUBLISHED).0),
             misses: verdicts.iter().filter(|verdict| !verdict.holds).map(miss).collect(),
             unjudged: unjudged.into_iter().map(|annotation| annotation.text.clone()).collect(),
             plausible: Plausible::of(&scene, table),
@@ -105,6 +109,7 @@ impl Case {
         Self {
             trouble: Some(trouble),
             shares: shares(&verdicts),
+            published: shares(&verdicts),
             misses: verdicts.iter().map(|verdict| missed(asked, verdict)).collect(),
             unjudged: unjudged.into_iter().map(|annotation| annotation.text.clone()).collect(),
             ..Self::empty(asked)
@@ -118,6 +123,7 @@ impl Case {
             layout: None,
             trouble: None,
             shares: Default::default(),
+            published: Default::default(),
             misses: Vec::new(),
             unjudged: Vec::new(),
             plausible: Plausible::default(),
@@ -173,6 +179,7 @@ impl Case {
             "layout": self.state(),
             "trouble": self.trouble,
             "scores": scores_json(&self.shares),
+            "published": scores_json(&self.published),
             "misses": self.misses.iter().map(miss).collect::<Vec<_>>(),
             "unjudged": self.unjudged,
             "plausibility": {
@@ -224,6 +231,8 @@ pub struct SummaryRow {
     pub good: Share,
     /// How many annotations hold, by measure.
     pub shares: [Share; 4],
+    /// The same by the thresholds of the benchmark alone.
+    pub published: [Share; 4],
     /// Requests of which every annotation holds.
     pub perfect: Share,
     /// Objects that are held, that are in no other, that are in bounds.
@@ -314,6 +323,7 @@ impl SummaryRow {
             name: name.to_owned(),
             good: count(&Case::is_good),
             shares: std::array::from_fn(|n| sum(&|case| case.shares[n])),
+            published: std::array::from_fn(|n| sum(&|case| case.published[n])),
             perfect: count(&|case| case.layout.is_some() && case.misses.is_empty()),
             plausible: std::array::from_fn(|n| sum(&|case| case.plausibilities()[n])),
             free: Share {
@@ -330,6 +340,7 @@ impl SummaryRow {
         json!({
             "good": pair(self.good),
             "scores": scores_json(&self.shares),
+            "published": scores_json(&self.published),
             "perfect": pair(self.perfect),
             "supported": pair(self.plausible[0]),
             "not_colliding": pair(self.plausible[1]),

@@ -65,12 +65,22 @@ impl ScoredRoom {
         Self { outline: prism.polygon, floor: prism.floor, ceiling: prism.ceiling, low, high }
     }
 
+    /// The share of a box that is in the room, seen from above.
+    pub fn share_of(&self, shape: &Shape) -> f64 {
+        shape.share_over(&self.outline, self.floor)
+    }
+
+    /// A room with an outline.
+    #[cfg(test)]
+    pub fn with(polygon: Polygon, floor: f64, ceiling: f64) -> Self {
+        Self::new(Prism { polygon, floor, ceiling })
+    }
+
     /// A rectangular room between two corners.
     #[cfg(test)]
     pub fn rectangle(low: [f64; 2], high: [f64; 2], floor: f64, ceiling: f64) -> Self {
         let (low, high) = (Vec2::from(low), Vec2::from(high));
-        let polygon = Polygon::rectangle((low + high) / 2.0, high - low, 0.0);
-        Self::new(Prism { polygon, floor, ceiling })
+        Self::with(Polygon::rectangle((low + high) / 2.0, high - low, 0.0), floor, ceiling)
     }
 }
 

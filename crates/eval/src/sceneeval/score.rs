@@ -2,7 +2,7 @@
 
 use super::annotations::{AnnotatedRequest, Annotation, How, Says};
 use super::places::{RoomRelation, kind};
-use super::relations::{Relation, surround};
+use super::relations::{Relation, Thresholds, surround};
 use super::scene::{ScoredObject, ScoredScene};
 use super::shape::Shape;
 use super::table::Table;
@@ -23,16 +23,17 @@ pub struct AnnotationVerdict<'a> {
     pub absent: bool,
 }
 
-/// The verdicts on a request's annotations, and those annotations that are not judged: sizes, which only compare, and
+/// The verdicts on a request's annotations by some thresholds, and those annotations that are not judged: sizes, which only compare, and
 /// relations that the table does not have.
 pub fn judge<'a>(
     asked: &'a AnnotatedRequest,
     scene: &ScoredScene,
     table: &Table,
+    thresholds: &Thresholds,
 ) -> (Vec<AnnotationVerdict<'a>>, Vec<&'a Annotation>) {
     let (mut verdicts, mut unjudged) = (Vec::new(), Vec::new());
     for annotation in &asked.annotations {
-        match verdict(annotation, scene, table) {
+        match verdict(annotation, scene, table, thresholds) {
             Some(verdict) => verdicts.push(verdict),
             None => unjudged.push(annotation),
         }
@@ -57,7 +58,12 @@ pub fn relation_of(word: &str, table: &Table) -> Option<Relation> {
     }
 }
 
-fn verdict<'a>(annotation: &'a Annotation, scene: &ScoredScene, table: &Table) -> Option<AnnotationVerdict<'a>> {
+fn verdict<'a>(
+    annotation: &'a Annotation,
+    scene: &ScoredScene,
+    table: &Table,
+    thresholds: &Thresholds,
+) -> Option<AnnotationVerdict<'a>> {
     if !is_judged(annotation, table) {
         return None;
     }
@@ -87,7 +93,7 @@ fn verdict<'a>(annotation: &'a Annotation, scene: &ScoredScene, table: &Table) -
             } else {
                 let holds = |target: &&ScoredObject| {
                     let others = references.iter().filter(|reference| !std::ptr::eq(**reference, *target));
-                    others.into_iter().any(|other| relation.score(&target.shape, &other.shape) > THRESHOLD)
+                    others.into_iter().any(|other| relation.score(&target.shape, &other.shape, thresholds) > THRESHOLD)
                 };
                 let found = targets.iter().map(|name| called(name).iter().filter(|t| holds(t)).count()).sum();
                 (found, absent, found >= wanted)
@@ -97,7 +103,8 @@ fn verdict<'a>(annotation: &'a Annotation, scene: &ScoredScene, table: &Table) -
             let place = RoomRelation::of(relation, element, table);
             let openings = scene.openings(kind(element));
             let all = called(name);
-            let holds = |thing: &&&ScoredObject| place.score(&thing.shape, &scene.rooms, &openings) > THRESHOLD;
+            let holds =
+                |thing: &&&ScoredObject| place.score(&thing.shape, &scene.rooms, &openings, thresholds) > THRESHOLD;
             let found = all.iter().filter(holds).count();
             (found, all.is_empty(), found >= wanted)
         }
