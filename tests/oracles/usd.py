@@ -44,7 +44,7 @@ def pictures(stage, path):
             continue
         textured += 1
         places = UsdGeom.PrimvarsAPI(mesh).GetPrimvar("st")
-        if len(places.Get() or []) != len(UsdGeom.Mesh(mesh).GetFaceVertexIndicesAttr().Get()):
+        if len(places.ComputeFlattened() or []) != len(UsdGeom.Mesh(mesh).GetFaceVertexIndicesAttr().Get()):
             wrong.append(f"{mesh.GetPath()}: places {places.GetInterpolation()}")
     return wrong, textured
 

@@ -568,7 +568,7 @@ mod tests {
             "A bedroom with a king-size bed in the corner of the room, two large armchairs, and a floor lamp.";
         let mut draft = read(request, &Options::default()).draft;
         assert_eq!(rehearse(&mut draft, &Stop::default(), &mut |_| ()), Tried::Holds);
-        let demanded = |s: &&scenelang_formalize::draft::Statement| s.demand == Demand::Must;
+        let demanded = |s: &&Statement| s.demand == Demand::Must;
         let corner = draft.statements.iter().filter(demanded).any(|s| s.text.contains("inCorner(kingSizeBed"));
         assert!(corner, "{}", write(&draft));
     }

@@ -6,6 +6,22 @@ use super::*;
 const ONE_SIDED: [&str; 6] = ["desk", "bar", "counter", "island", "workbench", "bench"];
 
 impl Reader<'_> {
+    /// "Two armchairs and a sofa around a table": a sofa alone is around nothing, so the seats before it are meant as well.
+    pub(super) fn with_seats_before(&self, i: usize, of: Vec<usize>) -> Vec<usize> {
+        let piece = |back: usize| i.checked_sub(back).map(|k| &self.chunks[k]);
+        let (Some(last), Some(and), Some(first)) = (piece(1), piece(2), piece(3)) else { return of };
+        let is_seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
+        let named = |chunk: &Chunk| {
+            let bytes = self.tokens[chunk.at.start].at.start..self.tokens[chunk.at.end - 1].at.end;
+            self.brief.things.iter().position(|thing| bytes.contains(&thing.source.at().start))
+        };
+        let alone = matches!(of[..], [one] if named(last) == Some(one) && is_seat(&one) && self.brief.count(one) == 1);
+        match named(first).filter(|o| alone && and.piece == ChunkPiece::And && is_seat(o)) {
+            Some(before) => vec![before, of[0]],
+            None => of,
+        }
+    }
+
     /// The same, but where there are as many of both, there is one for each: "five placemats, aligned with each chair".
     pub(super) fn share_out(&mut self, fresh: &[usize], owner: usize) {
         let all = self.brief.count(owner);

@@ -585,22 +585,6 @@ impl Reader<'_> {
         both || words.iter().any(|t| matches!(t.text.as_str(), "each" | "either" | "both"))
     }
 
-    /// "Two armchairs and a sofa around a table": a sofa alone is around nothing, so the seats before it are meant as well.
-    fn with_seats_before(&self, i: usize, of: Vec<usize>) -> Vec<usize> {
-        let piece = |back: usize| i.checked_sub(back).map(|k| &self.chunks[k]);
-        let (Some(last), Some(and), Some(first)) = (piece(1), piece(2), piece(3)) else { return of };
-        let is_seat = |o: &usize| self.brief.things[*o].group == Group::Seat;
-        let named = |chunk: &Chunk| {
-            let bytes = self.tokens[chunk.at.start].at.start..self.tokens[chunk.at.end - 1].at.end;
-            self.brief.things.iter().position(|thing| bytes.contains(&thing.source.at().start))
-        };
-        let alone = matches!(of[..], [one] if named(last) == Some(one) && is_seat(&one) && self.brief.count(one) == 1);
-        match named(first).filter(|o| alone && and.piece == ChunkPiece::And && is_seat(o)) {
-            Some(before) => vec![before, of[0]],
-            None => of,
-        }
-    }
-
     /// "round lamps, one for each counter": as many as there are of the other.
     pub(super) fn one_each(&mut self, of: &[usize], owner: usize) {
         for o in of.iter().filter(|o| **o != owner) {
