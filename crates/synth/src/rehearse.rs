@@ -36,6 +36,8 @@ const GROWTH: f64 = 1.15;
 const ROOMIER: usize = 3;
 /// How often some of what was added is left out, before all of it is.
 const PATIENT: usize = 6;
+/// With more objects than this a room is not searched for a second time to put back what was left out.
+const REFILLED: usize = 60;
 /// Why a statement became a preference.
 const REASON: &str =
     "no layout was found that satisfies it together with the other statements, so it became a preference";
@@ -146,7 +148,9 @@ fn refilled(
     if let Some(layout) = planned(&again, stop, progress) {
         return Some((again, Some(layout)));
     }
-    let holds = searched(&mut again, stop, progress) == Tried::Holds;
+    // What is large was searched for long already.
+    let objects: usize = again.things.iter().map(|thing| thing.count.max(1)).sum();
+    let holds = objects <= REFILLED && searched(&mut again, stop, progress) == Tried::Holds;
     (holds && left_out(&again) < left_out(emptied)).then_some((again, None))
 }
 
