@@ -470,7 +470,7 @@ mod tests {
                 "a bed along the right wall, gaming desk with two monitors opposite, beanbag.",
                 "a bed along the right wall , gaming desk opposite the bed with two monitors , beanbag .",
             ),
-            ("a bed, a desk opposite.", "a bed , a desk opposite ."),
+            ("a bed, a desk opposite.", "a bed , a desk opposite it ."),
             ("two desks connected by a door.", "two desks connected by a door ."),
             ("an office with two connected desks.", "an office with two connected desks ."),
         ] {
