@@ -89,6 +89,20 @@ impl Semantics for Clear {
                 follow.push(any(&inside));
             }
         }
+        let is_upright = thing.axes.0[1].0[1].known() == Some(1.0);
+        if call.side(1) == ObjectSide::Above && is_upright && depth.known().is_some_and(|depth| depth > 0.0) {
+            // It does not reach through the ceiling of the region, whichever that is.
+            let regions = facts.regions();
+            let slack = facts.options.tolerances.contact + facts.options.tolerances.order;
+            let top = thing.pos.0[1] + thing.scale.0[1] + depth;
+            let below = |r: &RegionId| {
+                let room = facts.room(*r);
+                (room.pos.0[1] + room.scale.0[1] - top).at_least(-slack)
+            };
+            if !regions.is_empty() {
+                follow.push(any(&regions.iter().map(below).collect::<Vec<Claim>>()));
+            }
+        }
         let claim = facts.open(call.question()?, &follow);
         if let Some(space) = space {
             facts.spaces.push((claim, id, space));

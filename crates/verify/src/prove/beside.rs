@@ -5,10 +5,9 @@
 //! are in, the narrow room.
 
 use super::interval::Interval;
-use super::narrow::narrow;
 use super::packing::{Between, Packing, PackingRegion, is_upright, known_of, lower, of, short, upper};
-use super::placing::{MadeOf, verdict};
-use super::problem::{Affine, Problem, UnknownKind, Var};
+use super::passing::{Looks, reasons_of};
+use super::problem::{Affine, Problem};
 use super::state::{Conflict, EventId, EventKind, Rule, State};
 use rustc_hash::FxHashMap;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -19,31 +18,40 @@ pub(super) const MOST_PAIRED: usize = 24;
 const SKEW: f64 = 2e-5;
 
 /// What of a member is solid along the axes of the floor, at least, and between which heights.
-struct Extent {
-    member: usize,
-    size: [f64; 2],
-    bottom: f64,
-    top: f64,
-    why: Vec<EventId>,
+pub(super) struct Extent {
+    pub member: usize,
+    pub size: [f64; 2],
+    /// The radius of a disc about its middle, whichever way it is turned.
+    disc: f64,
+    pub bottom: f64,
+    pub top: f64,
+    pub why: Vec<EventId>,
 }
 
 /// How two are along one axis, wherever they may be: that decides how they are along the other.
 struct Overlap {
     /// How far they are from each other along it, at most; 0 where they overlap.
     off: f64,
+    /// The same of their middles.
+    middles: f64,
     why: Vec<EventId>,
 }
 
-/// What pairs keep along an axis, beyond touching, and why they are apart along it.
-type Forced = FxHashMap<(usize, usize), (f64, Vec<EventId>)>;
+/// What a pair keeps along an axis beyond touching, as extents have it; what of that is a distance of surfaces; and why they
+/// are apart along it.
+struct Kept {
+    beyond: f64,
+    space: f64,
+    why: Vec<EventId>,
+}
+
+type Forced = FxHashMap<(usize, usize), Kept>;
 
 /// What pairs are told to keep is looked for so far beyond touching (metres), in so many steps and parts.
 const FARTHEST: f64 = 8.0;
 const LEAST_TOLD: f64 = 0.01;
 const STEPS: usize = 12;
 const PARTS: usize = 8;
-/// A claim made of more than this says too much to be looked at for a pair alone.
-const MOST_TOLD: usize = 60;
 
 impl Packing<'_> {
     /// Conflicts and bounds from pairs and rows of members that do not overlap, for `reasons`.
@@ -73,7 +81,7 @@ impl Packing<'_> {
             }
             self.rows(group, &extents, &forced, axis, reasons, state)?;
         }
-        Ok(())
+        self.passing(problem, group, &extents, reasons, state)
     }
 
     fn extent(&self, group: &PackingRegion<Affine>, index: usize, state: &State) -> Option<Extent> {
@@ -92,7 +100,8 @@ impl Packing<'_> {
         why.extend(member.turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
         why.extend([upper(state, core.bottom), lower(state, core.top)]);
         let (bottom, top) = (of(state, core.bottom).hi, of(state, core.top).lo);
-        Some(Extent { member: index, size: size.map(|s| s - self.contact), bottom, top, why })
+        let disc = (w.min(d) - self.contact) / 2.0;
+        Some(Extent { member: index, size: size.map(|s| s - self.contact), disc, bottom, top, why })
     }
 
     /// How two that overlap in height are along an axis wherever they may be, if they overlap there or are nearer than they
@@ -105,9 +114,11 @@ impl Packing<'_> {
         state: &State,
     ) -> Option<Overlap> {
         let margin = 2.0 * self.contact;
-        let in_height = a.bottom < b.top - margin && b.bottom < a.top - margin;
         let pair = (b.member.min(a.member), b.member.max(a.member));
-        if !in_height || group.excepted.binary_search(&pair).is_ok() {
+        // What is not at one height only keeps the distance that it is told to.
+        let (space, _) = self.space(group, [a, b], state);
+        let in_height = vertical(a, b) + margin < 0.0;
+        if !in_height && space <= margin || group.excepted.binary_search(&pair).is_ok() {
             return None;
         }
         let off = group.off(pair)?[axis];
@@ -115,6 +126,7 @@ impl Packing<'_> {
         let [p, q] = [a, b].map(|e| group.members[e.member].at[axis]);
         let of_pair = of(state, off).magnitude() - least;
         let of_each = (of(state, p) - of(state, q)).magnitude() - least;
+        let middles = of_pair.min(of_each) + least;
         let mut why = [&a.why[..], &b.why].concat();
         if of_pair <= of_each {
             why.extend([lower(state, off), upper(state, off)]);
@@ -123,10 +135,9 @@ impl Packing<'_> {
         }
         let nearest = of_pair.min(of_each);
         if nearest < 0.0 {
-            return Some(Overlap { off: 0.0, why });
+            return Some(Overlap { off: 0.0, middles, why });
         }
-        let (space, _) = self.space(group, pair, state);
-        (nearest < space - margin).then_some(Overlap { off: nearest, why })
+        (nearest < space - margin).then_some(Overlap { off: nearest, middles, why })
     }
 
     /// How far two are apart along an axis beyond touching, whichever side they are on: of a distance of their surfaces what
@@ -139,20 +150,25 @@ impl Packing<'_> {
         axis: usize,
         overlap: Overlap,
         state: &mut State,
-    ) -> (f64, Vec<EventId>) {
+    ) -> Kept {
         let pair = (b.member.min(a.member), b.member.max(a.member));
-        let (space, of_space) = self.space(group, pair, state);
-        let left = (space * space - overlap.off * overlap.off).max(0.0).sqrt();
-        let mut why = overlap.why;
+        let (space, of_space) = self.space(group, [a, b], state);
         let least = (a.size[axis] + b.size[axis]) / 2.0;
+        // What discs in them keep counts, too, where it is not known how they are turned.
+        let discs = a.disc + b.disc + space;
+        let discs = (discs * discs - overlap.middles * overlap.middles).max(0.0).sqrt() - least;
+        let left = (space * space - overlap.off * overlap.off).max(0.0).sqrt();
+        let beyond = left.max(discs);
+        let mut why = overlap.why;
         let told = self.told_apart(problem, group, pair, axis, least, state);
-        if let Some((told, of_told)) = told.filter(|(told, _)| overlap.off == 0.0 && *told > left + 3.0 * self.contact)
+        if let Some((told, of_told)) =
+            told.filter(|(told, _)| overlap.off == 0.0 && *told > beyond + 3.0 * self.contact)
         {
             why.extend(of_told);
-            return (told, why);
+            return Kept { beyond: told, space: told, why };
         }
-        why.extend(of_space.filter(|_| left > 0.0));
-        (left, why)
+        why.extend(of_space.filter(|_| space > 0.0));
+        Kept { beyond, space: left, why }
     }
 
     /// How far beyond `least` two are apart along an axis by what claims say of how they are off each other, on both sides.
@@ -166,36 +182,12 @@ impl Packing<'_> {
         state: &mut State,
     ) -> Option<(f64, Vec<EventId>)> {
         let off = group.off(pair)?[axis];
-        let speaks = |m: &&MadeOf| {
-            off.var != 0
-                && m.vars.len() <= MOST_TOLD
-                && m.vars.binary_search(&off.var).is_ok()
-                && state.is_true(m.claim)
-        };
-        let told: Vec<&MadeOf> = self.made_of(problem).iter().filter(speaks).collect();
+        let told = self.told_of(problem, &[off], state);
         if told.is_empty() {
             return None;
         }
-        let mut values = vec![Interval::ALL; problem.kinds.len()];
-        let mut work = 0;
-        let mut is_excluded = |part: Interval| {
-            let own = off.solve(part).meet(state.domain[off.var as usize]);
-            own.is_empty()
-                || told.iter().any(|made| {
-                    values[0] = Interval::point(0.0);
-                    work += 1 + made.vars.len() as u64 / 8;
-                    for &var in &made.vars {
-                        let value = |t: &Affine| t.of(values[t.var as usize]);
-                        let domain = state.domain[var as usize];
-                        values[var as usize] = match &problem.kinds[var as usize] {
-                            _ if var == off.var => own,
-                            UnknownKind::Apply(function, a, b) => narrow(*function, domain, value(a), value(b))[0],
-                            _ => domain,
-                        };
-                    }
-                    verdict(problem, made.claim, &values) == Some(false)
-                })
-        };
+        let mut looks = Looks::new(problem);
+        let mut is_excluded = |part: Interval| looks.exclude(state, &told, &[(off, part)]);
         let mut excludes = |from: f64, to: f64| {
             let step = (to - from) / PARTS as f64;
             (0..PARTS).all(|i| {
@@ -209,19 +201,15 @@ impl Packing<'_> {
         let (mut lo, mut hi) = (from, from + FARTHEST);
         // Mostly nothing is said that keeps them apart at all.
         if !excludes(from, least + LEAST_TOLD) {
-            state.work += work;
+            state.work += looks.work;
             return None;
         }
         for _ in 0..STEPS {
             let mid = (lo + hi) / 2.0;
             if excludes(from, mid) { lo = mid } else { hi = mid }
         }
-        state.work += work;
-        let mut why: Vec<EventId> = told.iter().map(|m| state.verdict_why[m.claim.index()]).collect();
-        let mut vars: Vec<Var> = told.iter().flat_map(|m| m.vars.iter().copied()).filter(|v| *v != off.var).collect();
-        vars.sort_unstable();
-        vars.dedup();
-        why.extend(vars.into_iter().flat_map(|v| state.why[v as usize]));
+        state.work += looks.work;
+        let mut why = reasons_of(&told, state);
         why.extend(state.why[off.var as usize]);
         (lo > least).then_some((lo - least, why))
     }
@@ -232,16 +220,16 @@ impl Packing<'_> {
         group: &PackingRegion<Affine>,
         [a, b]: [&Extent; 2],
         axis: usize,
-        (space, of_space): &(f64, Vec<EventId>),
+        kept: &Kept,
         reasons: &[EventId],
         state: &mut State,
     ) -> Result<(), Conflict> {
         let pair = (b.member.min(a.member), b.member.max(a.member));
         let Some(off) = group.off(pair).map(|off| off[axis]) else { return Ok(()) };
-        let space = *space;
-        let least = (a.size[axis] + b.size[axis]) / 2.0 + space;
+        let space = kept.space;
+        let least = (a.size[axis] + b.size[axis]) / 2.0 + kept.beyond;
         let between = of(state, off);
-        let mut why = [reasons, of_space].concat();
+        let mut why = [reasons, &kept.why[..]].concat();
         if between.lo > -least && between.hi < least {
             why.extend([lower(state, off), upper(state, off)]);
             let [a, b] = [pair.0, pair.1].map(|i| self.name(group, i));
@@ -266,12 +254,16 @@ impl Packing<'_> {
     }
 
     /// How far two that overlap in height and along an axis keep apart along the other beyond touching.
-    fn space(&self, group: &PackingRegion<Affine>, pair: (usize, usize), state: &State) -> (f64, Option<EventId>) {
+    fn space(&self, group: &PackingRegion<Affine>, [a, b]: [&Extent; 2], state: &State) -> (f64, Option<EventId>) {
+        let pair = (b.member.min(a.member), b.member.max(a.member));
+        // Seen from above it is less between what is at different heights.
+        let vertical = vertical(a, b).max(0.0);
         let kept = group.between.iter().filter(|b| b.pair == pair && !b.of_centres);
         let most = kept.map(|b| (of(state, b.length).lo, b)).max_by(|a, b| a.0.total_cmp(&b.0));
         match most {
-            Some((space, between)) if space > 3.0 * self.contact => {
-                (space - 3.0 * self.contact, Some(lower(state, between.length)))
+            Some((space, between)) if space > vertical + 3.0 * self.contact => {
+                let flat = (space * space - vertical * vertical).sqrt();
+                ((flat - 3.0 * self.contact).max(0.0), Some(lower(state, between.length)))
             }
             _ => (0.0, None),
         }
@@ -317,7 +309,9 @@ impl Packing<'_> {
                 .flat_map(move |i| (i + 1..n).map(move |k| (row[i].member, row[k].member)))
                 .map(|(a, b)| (a.min(b), a.max(b)))
         };
-        let space = pairs().filter_map(|pair| forced.get(&pair)).map(|(space, _)| *space).fold(f64::INFINITY, f64::min);
+        let kept = || pairs().filter_map(|pair| forced.get(&pair));
+        let space = kept().map(|kept| kept.space).fold(f64::INFINITY, f64::min);
+        let beyond = kept().map(|kept| kept.beyond).fold(f64::INFINITY, f64::min);
         let at = |e: &&Extent| of(state, group.members[e.member].at[axis]);
         let (lo, hi) =
             row.iter().map(at).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), i| (l.min(i.lo), h.max(i.hi)));
@@ -326,13 +320,21 @@ impl Packing<'_> {
         let gaps = (row.len() - 1) as f64;
         // From the middle of the first to that of the last, if the two longest are these.
         let ends = (sizes[row.len() - 1] + sizes[row.len() - 2]) / 2.0;
-        let needed = sizes.iter().sum::<f64>() - ends + gaps * space;
+        let needed = sizes.iter().sum::<f64>() - ends + gaps * beyond;
+        // Some pairs keep more than others: from the first to the last it is no shorter than the least tree through all.
+        let pair = |a: &Extent, b: &Extent| forced.get(&(a.member.min(b.member), a.member.max(b.member)));
+        let tree = |of: &dyn Fn(&Extent, &Extent, &Kept) -> f64| {
+            least_tree(row.len(), &|i, k| pair(row[i], row[k]).map_or(0.0, |kept| of(row[i], row[k], kept)))
+        };
+        let through = tree(&|a, b, kept| (a.size[axis] + b.size[axis]) / 2.0 + kept.beyond);
+        let is_uneven = through > needed + 3.0 * self.contact;
+        let needed = needed.max(through);
         if needed <= hi - lo + 1e-9 {
             return Ok(());
         }
         let mut why = reasons.to_vec();
         why.extend(row.iter().flat_map(|e| e.why.iter().copied()));
-        why.extend(pairs().filter_map(|pair| forced.get(&pair)).flat_map(|(_, why)| why));
+        why.extend(kept().flat_map(|kept| &kept.why));
         for e in row {
             let at = group.members[e.member].at[axis];
             why.extend([lower(state, at), upper(state, at)]);
@@ -343,10 +345,23 @@ impl Packing<'_> {
         let least = whole.iter().copied().fold(f64::INFINITY, f64::min);
         let most = whole.iter().copied().fold(0.0, f64::max);
         let said = if space > 0.0 { space + 3.0 * self.contact } else { 0.0 };
-        let need = whole.iter().sum::<f64>() + gaps * said;
-        let there = hi - lo + (whole[0] + whole[row.len() - 1]) / 2.0;
+        let kept = if is_uneven {
+            tree(&|_, _, kept| kept.space + 3.0 * self.contact * f64::from(kept.space > 0.0))
+        } else {
+            gaps * said
+        };
+        let need = whole.iter().sum::<f64>() + kept;
+        let ends = std::iter::zip(row, &whole).map(|(e, whole)| (at(e), whole / 2.0));
+        let (first, last) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(first, last), (at, half)| {
+            (first.min(at.lo - half), last.max(at.hi + half))
+        });
+        let there = last - first;
         let each = if most - least < 0.005 { format!(" of {} m", short(most)) } else { String::new() };
-        let keep = if space > 0.0 { format!(" {} m apart", short(said)) } else { String::new() };
+        let keep = match space > 0.0 {
+            true => format!(" {} m apart", short(said)),
+            false if is_uneven && kept > 0.0 => format!(" with {} m between some of them", short(kept)),
+            false => String::new(),
+        };
         let what = self.things(group, &members);
         if need > there + 0.004 {
             self.say(format!(
@@ -372,9 +387,28 @@ impl Packing<'_> {
     }
 }
 
+/// How far one is above the other, at most; less than 0 where they overlap in height.
+fn vertical(a: &Extent, b: &Extent) -> f64 {
+    (a.bottom - b.top).max(b.bottom - a.top)
+}
+
+/// The sum of the edges of the least tree through so many points.
+fn least_tree(points: usize, length: &dyn Fn(usize, usize) -> f64) -> f64 {
+    let mut nearest: Vec<f64> = (0..points).map(|i| length(0, i)).collect();
+    let (mut left, mut sum): (Vec<usize>, f64) = ((1..points).collect(), 0.0);
+    while let Some(next) = (0..left.len()).min_by(|i, k| nearest[left[*i]].total_cmp(&nearest[left[*k]])) {
+        let at = left.swap_remove(next);
+        sum += nearest[at];
+        for &i in &left {
+            nearest[i] = nearest[i].min(length(at, i));
+        }
+    }
+    sum
+}
+
 impl PackingRegion<Affine> {
     /// How far the centre of the first of a pair is from that of the second, along the axes of the floor.
-    fn off(&self, pair: (usize, usize)) -> Option<[Affine; 2]> {
+    pub(super) fn off(&self, pair: (usize, usize)) -> Option<[Affine; 2]> {
         let at = self.pairs.binary_search_by_key(&pair, |(pair, _)| *pair).ok()?;
         Some(self.pairs[at].1)
     }

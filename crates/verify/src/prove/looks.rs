@@ -1,7 +1,8 @@
 //! Which statements are looked at together, where the whole of a program is too much to find its contradictions in.
 
+use super::companies::insides;
 use super::minimal::{Thing, things};
-use super::model::{Common, insides, regions_of};
+use super::model::{Common, regions_of};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{BuiltIn, ConstraintKind, Node, ObjectId, Owner, Pinned, Program, RegionId};
 use std::collections::{BTreeMap, BTreeSet};

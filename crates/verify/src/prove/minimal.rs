@@ -1,17 +1,20 @@
 //! From "these cannot all hold" to minimal sets; redundancy; the budget.
 
+use super::companies::{crowds, nominal_sizes};
 use super::looks::{alone, few, parts};
-use super::model::{Choice, ClaimModel, Common, Given, GivenSource, Rules, crowds, regions_of};
+use super::model::{Choice, ClaimModel, Common, Given, GivenSource, Rules, regions_of};
 use super::outlines;
 use super::packing::Packing;
 use super::problem::Problem;
 use super::refute::Refutation;
+use super::turns;
 use super::usual::Usual;
 use super::words;
 use super::{Contradiction, Findings, Proof, ProveOptions, Redundancy};
 use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{
-    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, ObjectId, Owner, Program, RegionId,
+    Arg, Arith, BuiltIn, Comparison, ConstraintKind, Formula, Function, Node, NodeId, ObjectId, Owner, Program,
+    RegionId,
 };
 use std::collections::BTreeSet;
 use std::sync::atomic::Ordering;
@@ -47,7 +50,7 @@ pub(super) const MOST_SAID: usize = 500_000;
 const BUILT_IN: usize = 4;
 
 /// What a refutation rests on.
-struct Core {
+pub(super) struct Core {
     statements: Vec<usize>,
     rules: Vec<String>,
     reason: Option<String>,
@@ -63,16 +66,16 @@ enum Stranger {
 
 /// The answers to one program's questions.
 pub(super) struct Prover<'a> {
-    program: &'a Program,
-    options: &'a ProveOptions,
+    pub(super) program: &'a Program,
+    pub(super) options: &'a ProveOptions,
     common: Common<'a>,
     /// What is taken for granted, if anything is.
-    usual: Option<&'a Usual>,
+    pub(super) usual: Option<&'a Usual>,
     /// Which physical rules count.
-    rules: Rules,
-    spent: u64,
+    pub(super) rules: Rules,
+    pub(super) spent: u64,
     /// Whether some question ended for lack of work.
-    short: bool,
+    pub(super) short: bool,
     /// Whether some question was about more than is looked at.
     too_large: bool,
 }
@@ -85,7 +88,8 @@ impl<'a> Prover<'a> {
 
     /// Everything.
     pub fn findings(mut self) -> Findings {
-        let contradictions = outlines::impossible(self.program, &self.options.judging);
+        let mut contradictions = outlines::impossible(self.program, &self.options.judging);
+        contradictions.extend(turns::impossible(self.program, &self.options.judging));
         let mut findings = Findings { contradictions, ..Findings::default() };
         let known = |i: &usize| findings.contradictions.iter().any(|found| found.statements.contains(i));
         let mut open: Vec<usize> =
@@ -125,6 +129,7 @@ impl<'a> Prover<'a> {
             self.redundancies(&mut findings);
         }
         findings.work_spent = self.spent;
+        self.words(&mut findings.contradictions);
         findings.complete = !self.short && !self.is_stopped();
         findings.too_large = self.too_large;
         if self.options.redundant && findings.contradictions.is_empty() {
@@ -155,6 +160,7 @@ impl<'a> Prover<'a> {
             let set = self.minimal(&among, PREFERENCE);
             found.extend(set.filter(|set| set.statements.contains(&preference)));
         }
+        self.words(&mut found);
         found
     }
 
@@ -191,7 +197,14 @@ impl<'a> Prover<'a> {
     /// The statements of a refutation of a model, if a brief search finds one.
     fn brief(&mut self, model: &ClaimModel, problem: &mut Problem, without: &[usize]) -> Option<Vec<usize>> {
         let most = (BRIEF * size(model)).min(self.options.work.saturating_sub(self.spent));
-        self.search(model, problem, without, most, false).map(|core| core.statements)
+        self.search(
+            model,
+            problem,
+            &|g| matches!(&g.what, GivenSource::Statement(s) if without.contains(s)),
+            most,
+            false,
+        )
+        .map(|core| core.statements)
     }
 
     /// Of a set that cannot hold together the statement of the highest rank without which a brief search refutes the rest
@@ -216,11 +229,11 @@ impl<'a> Prover<'a> {
     }
 
     /// Statements with the rules, and with what is usual.
-    fn whole<'s>(&self, statements: &'s [usize]) -> Choice<'s>
+    pub(super) fn whole<'s>(&self, statements: &'s [usize]) -> Choice<'s>
     where
         'a: 's,
     {
-        Choice { statements, contrary: None, rules: self.rules, usual: self.usual }
+        Choice { statements, contrary: None, rules: self.rules, usual: self.usual, loosened: None }
     }
 
     fn is_hard(&self, statement: usize) -> bool {
@@ -231,7 +244,13 @@ impl<'a> Prover<'a> {
         self.options.cancel.as_ref().is_some_and(|c| c.load(Ordering::Relaxed))
     }
 
-    fn left(&self) -> u64 {
+    /// The size that a statement assigns, if it is a constant.
+    pub(super) fn size_of(&self, statement: usize) -> Option<[f64; 3]> {
+        let sizes = nominal_sizes(&self.common, &[statement]);
+        sizes.into_values().next()
+    }
+
+    pub(super) fn left(&self) -> u64 {
         self.options.work.saturating_sub(self.spent)
     }
 
@@ -247,7 +266,7 @@ impl<'a> Prover<'a> {
             return None;
         }
         let model = self.model(choice, tell);
-        self.search(&model, &mut model.problem(), &[], most, tell)
+        self.search(&model, &mut model.problem(), &|_| false, most, tell)
     }
 
     /// Whether statements say more, or of more objects, than is looked at.
@@ -265,7 +284,7 @@ impl<'a> Prover<'a> {
         })
     }
 
-    fn model(&mut self, choice: Choice<'_>, named: bool) -> ClaimModel {
+    pub(super) fn model(&mut self, choice: Choice<'_>, named: bool) -> ClaimModel {
         if self.program.objects.len() > LARGEST {
             // Before a part is looked at, all objects are.
             self.spent += self.program.objects.len() as u64;
@@ -276,22 +295,21 @@ impl<'a> Prover<'a> {
         model
     }
 
-    /// Whether what a model says cannot be, whatever these of its statements say, by so much work.
+    /// Whether what a model says cannot be, without what is left out of it, by so much work.
     /// Rows that the search makes stay in the problem: they only name sums.
-    fn search(
+    pub(super) fn search(
         &mut self,
         model: &ClaimModel,
         problem: &mut Problem,
-        without: &[usize],
+        is_left_out: &dyn Fn(&Given) -> bool,
         most: u64,
         tell: bool,
     ) -> Option<Core> {
         let tolerances = &self.options.judging.tolerances;
-        let counts = |g: &&Given| !matches!(&g.what, GivenSource::Statement(s) if without.contains(s));
-        let given: Vec<&Given> = model.given.iter().filter(counts).collect();
+        let given: Vec<&Given> = model.given.iter().filter(|g| !is_left_out(g)).collect();
         let claims: Vec<_> = given.iter().map(|g| g.claim).collect();
         let contact = tolerances.contact + 2.0 * tolerances.order;
-        let packing = Packing::new(self.program, &model.groups, problem, &claims, contact);
+        let packing = Packing::new(self.program, &model.groups, problem, [&model.always, &claims], contact);
         let cancel = self.options.cancel.as_deref();
         let mut search = Refutation::new(std::mem::take(problem), model, &packing, most, cancel);
         search.told = tell.then(Vec::new);
@@ -391,7 +409,17 @@ impl<'a> Prover<'a> {
         let proof = told.map_or(proof, |t| t.proof);
         let sizes = if as_usual { self.sizes(&statements) } else { Vec::new() };
         let shapes = as_usual && self.rests_on_shapes(&statements);
-        Some(Contradiction { statements, definitions, rules, reason, as_usual, sizes, shapes, proof })
+        Some(Contradiction {
+            statements,
+            definitions,
+            rules,
+            reason,
+            as_usual,
+            sizes,
+            shapes,
+            proof,
+            parts: Vec::new(),
+        })
     }
 
     /// A core without all that is said of some objects and regions. One statement after the other, that may not come off:
@@ -454,10 +482,11 @@ impl<'a> Prover<'a> {
         left
     }
 
-    /// Whether an upper bound of a distance holds wherever things stand in a room of the size that it has.
+    /// Whether an upper bound of a distance, or a comparison of heights, holds wherever things stand in a room of the size that
+    /// it has.
     fn fits_always(&mut self, statement: usize) -> bool {
         let formula = &self.program.constraints[statement].formula;
-        if self.usual.is_none() || !bounds_a_distance(formula) {
+        if self.usual.is_none() || !bounds_a_distance(formula) && !compares_heights(formula) {
             return false;
         }
         let (objects, is_pin) = (formula.objects(), |c: usize| self.program.constraints[c].kind == ConstraintKind::Pin);
@@ -469,8 +498,19 @@ impl<'a> Prover<'a> {
         let mut pins: Vec<usize> = pins.map(|p| p.constraint).collect();
         pins.sort_unstable();
         pins.dedup();
-        let choice = Choice { statements: &pins, contrary: Some(statement), rules: Rules::Bounds, usual: self.usual };
+        // How high a thing of a usual size reaches is for the program to say.
+        let unsized_ones = self.usual.filter(|_| compares_heights(formula)).map(without_sizes);
+        let usual = unsized_ones.as_ref().or(self.usual);
+        let choice = Choice { contrary: Some(statement), rules: Rules::Bounds, usual, ..self.whole(&pins) };
         self.refute(choice, ANYWHERE, false).is_some()
+    }
+
+    /// Whether others imply a comparison of heights where things are upright and stand on something, whatever sizes are usual.
+    fn as_usual(&mut self, compares_heights: bool, statement: usize, others: &[usize]) -> Option<Core> {
+        let unsized_ones = without_sizes(self.usual.filter(|_| compares_heights)?);
+        let usual = Some(&unsized_ones);
+        let choice = Choice { contrary: Some(statement), rules: Rules::Bounds, usual, ..self.whole(others) };
+        self.refute(choice, ANYWHERE, false)
     }
 
     fn redundancies(&mut self, findings: &mut Findings) {
@@ -483,7 +523,7 @@ impl<'a> Prover<'a> {
             if constraint.kind != ConstraintKind::Assert || is_partial(&constraint.formula) {
                 continue;
             }
-            let alone = Choice { statements: &[], contrary: Some(statement), rules: Rules::None, usual: None };
+            let alone = Choice { contrary: Some(statement), rules: Rules::None, usual: None, ..self.whole(&[]) };
             if self.refute(alone, ONE, false).is_some() || self.fits_always(statement) {
                 findings.always.push(statement);
                 flagged.insert(statement);
@@ -494,8 +534,10 @@ impl<'a> Prover<'a> {
             if others.is_empty() {
                 continue;
             }
-            let choice = Choice { statements: &others, contrary: Some(statement), rules: Rules::None, usual: None };
-            if let Some(core) = self.refute(choice, ONE, false)
+            let choice = Choice { contrary: Some(statement), rules: Rules::None, usual: None, ..self.whole(&others) };
+            let heights = compares_heights(&constraint.formula);
+            let found = self.refute(choice, ONE, false).or_else(|| self.as_usual(heights, statement, &others));
+            if let Some(core) = found
                 && core.statements.iter().any(|s| *s != statement)
             {
                 flagged.insert(statement);
@@ -597,6 +639,40 @@ fn bounds_a_distance(formula: &Formula) -> bool {
         }
     }
     true
+}
+
+/// What is usual, except for sizes.
+fn without_sizes(usual: &Usual) -> Usual {
+    Usual { size: vec![None; usual.size.len()], ..usual.clone() }
+}
+
+/// Whether a formula only compares heights of things, by order.
+fn compares_heights(formula: &Formula) -> bool {
+    use scenelang_lang::program::{Axis, ObjectProperty, RegionProperty};
+    let is_height = |id: NodeId| {
+        let nodes = crate::eval::cone(formula, id);
+        let whole = |n: &NodeId| match formula.node(*n) {
+            Node::Object(property, _) => matches!(property, ObjectProperty::Top | ObjectProperty::Bottom),
+            Node::Region(property, _) => matches!(property, RegionProperty::Floor | RegionProperty::Ceiling),
+            Node::Number(_) | Node::Arith(Arith::Add | Arith::Sub, ..) => true,
+            Node::Component(Axis::Y, of) => {
+                matches!(formula.node(*of), Node::Object(ObjectProperty::Pos | ObjectProperty::Center, _))
+            }
+            _ => false,
+        };
+        let part_of =
+            |n: &NodeId| nodes.iter().any(|m| matches!(formula.node(*m), Node::Component(Axis::Y, of) if of == n));
+        nodes.iter().all(|n| whole(n) || part_of(n))
+    };
+    match formula.root_node() {
+        Node::Compare(op, _, a, b) => {
+            !matches!(op, Comparison::Eq | Comparison::Ne)
+                && !formula.objects().is_empty()
+                && is_height(*a)
+                && is_height(*b)
+        }
+        _ => false,
+    }
 }
 
 /// Whether a formula may have no value somewhere: then it does not hold there, whatever it says.

@@ -10,30 +10,39 @@
 //! All of it is counted as work, never timed; the same program has the same findings everywhere.
 
 mod beside;
+mod companies;
+mod conjuncts;
 mod cuts;
 pub(crate) mod interval;
 mod looks;
+mod loosened;
 mod minimal;
 mod model;
 mod narrow;
 mod outlines;
 mod packing;
+mod passing;
 mod pierce;
 mod placing;
 mod probes;
 mod problem;
+mod reason;
 mod refute;
+mod relations;
 mod rings;
 mod sights;
 mod simplex;
 mod state;
 pub(crate) mod tape;
+mod too_far;
+mod turned;
+mod turns;
 pub(crate) mod unknowns;
 mod usual;
 mod words;
 
 use crate::tolerances::Options;
-use scenelang_base::Diagnostic;
+use scenelang_base::{Diagnostic, TextRange};
 use scenelang_lang::program::{ObjectId, Program};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -85,10 +94,13 @@ pub struct Findings {
 }
 
 /// A minimal set of statements that cannot hold together.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contradiction {
     /// Indices into [`Program::constraints`], in their order: assertions and assignments.
     pub statements: Vec<usize>,
+    /// Of statements of which some parts, joined by `and`, do without the others: these parts, as ranges from the start of
+    /// the statement.
+    pub parts: Vec<(usize, Vec<TextRange>)>,
     /// Assignments to variables that these were made with: indices into [`Program::definitions`]. They are members too,
     /// though whether the set is contradictory without one of them is not tried: without it there is another program.
     pub definitions: Vec<usize>,

@@ -1,13 +1,16 @@
 //! Some statements of a program, and the physical rules about what they speak of, as claims about unknowns.
 
 use super::beside::MOST_PAIRED;
+use super::companies::{Company, companies, insides};
+use super::conjuncts::{Part, parts};
+use super::loosened::{Loosened, truth};
 use super::packing::{Between, Core, Member, PackingRegion};
 use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
 use super::unknowns::{OUT_OF_BOX, Unknowns, is_box};
 use super::usual::Usual;
 use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, region_in_proofs};
-use crate::eval::{Scratch, Value, cone};
+use crate::eval::{Scratch, Value};
 use crate::number::{Algebra, Logic};
 use crate::rules::{Scope, Support};
 use crate::tolerances::Options;
@@ -15,8 +18,7 @@ use crate::vector::{M3, V3};
 use crate::world::{ObjectInstance, World};
 use rustc_hash::FxHashMap;
 use scenelang_lang::program::{
-    Arg, BuiltIn, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Owner, Pinned, Program,
-    RegionId,
+    Arg, BuiltIn, Comparison, Formula, Function, Node, NodeId, ObjectId, ObjectProperty, Program, RegionId,
 };
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -28,6 +30,8 @@ pub(super) struct Given {
     pub what: GivenSource,
     /// Statements that its meaning rests on, beside what it says: orientations, rectangles.
     pub premises: Vec<usize>,
+    /// Which part of the statement it is.
+    pub part: usize,
 }
 
 /// Where something given comes from.
@@ -78,6 +82,8 @@ pub(super) struct Choice<'a> {
     pub rules: Rules,
     /// What is taken for granted, if anything is.
     pub usual: Option<&'a Usual>,
+    /// What is asked for less strictly than the program does.
+    pub loosened: Option<Loosened>,
 }
 
 /// What all models of one program share, whichever of its statements count: it takes a look at every object.
@@ -88,7 +94,7 @@ pub(super) struct Common<'a> {
     pub scope: Scope,
     /// Instances that lack everything, of unknowns and of floats.
     blank: Rc<World<Term>>,
-    nowhere: World<f64>,
+    pub nowhere: World<f64>,
 }
 
 impl<'a> Common<'a> {
@@ -127,7 +133,10 @@ impl ClaimModel {
         let formulas = choice.statements.iter().chain(&choice.contrary).map(|s| &program.constraints[*s].formula);
         let objects: BTreeSet<ObjectId> = formulas.flat_map(Formula::objects).collect();
         let mut unknowns = Unknowns::new(program, &common.blank, choice.usual, &counts, &objects);
-        let mut builder = Builder { program, options, scope, given: Vec::new(), objects };
+        if let Some(Loosened::Size { region, axis, to }) = choice.loosened {
+            unknowns.resize(region, axis, to);
+        }
+        let mut builder = Builder { program, options, scope, given: Vec::new(), objects, loosened: choice.loosened };
         for &statement in choice.statements {
             builder.statement(&mut unknowns, statement, false);
         }
@@ -149,6 +158,7 @@ impl ClaimModel {
             groups = builder.groups(&mut unknowns, companies(common, choice.usual, choice.statements));
         }
         builder.seen_lengths(&mut unknowns, choice.statements);
+        unknowns.shared_frames(&builder.objects);
         let angles = unknowns.directions(&builder.objects);
         builder.frames(&mut unknowns, &groups);
         let names = if named { unknowns.names() } else { FxHashMap::default() };
@@ -174,6 +184,7 @@ fn wanted(groups: &[PackingRegion<Term>]) -> Vec<Term> {
     };
     let group = |g: &PackingRegion<Term>| {
         let own = g.size.into_iter().chain(g.at).chain(g.between.iter().map(|b| b.length));
+        let own = own.chain(g.fronts.iter().map(|(_, angle)| *angle));
         let pairs = g.pairs.iter().flat_map(|(_, off)| *off);
         own.chain(pairs).chain(g.members.iter().flat_map(member)).collect::<Vec<_>>()
     };
@@ -187,6 +198,7 @@ struct Builder<'a> {
     given: Vec<Given>,
     /// The objects that are spoken of.
     objects: BTreeSet<ObjectId>,
+    loosened: Option<Loosened>,
 }
 
 impl Builder<'_> {
@@ -205,6 +217,11 @@ impl Builder<'_> {
         if !infinite_ones_are_compared(formula) {
             return;
         }
+        if self.loosened.is_some_and(|l| l.replaces(self.program, index)) {
+            return;
+        }
+        let altered = self.loosened.and_then(|l| l.altered(formula, index));
+        let formula = altered.as_ref().unwrap_or(formula);
         let world = Rc::clone(&unknowns.world);
         let mut scratch = Scratch::new();
         let claim = match scratch.evaluate_with(formula, &world, unknowns) {
@@ -223,11 +240,20 @@ impl Builder<'_> {
         for object in objects_of_angles(formula) {
             unknowns.angles_turn_axes(object);
         }
-        let (claim, what) = match contrary {
-            true => (claim.negated(), GivenSource::Contrary(index)),
-            false => (claim, GivenSource::Statement(index)),
-        };
-        self.given.push(Given { claim, what, premises });
+        if contrary {
+            self.given.push(Given { claim: claim.negated(), what: GivenSource::Contrary(index), premises, part: 0 });
+            return;
+        }
+        let loosened = self.loosened.filter(|l| l.statement() == Some(index));
+        for (part, Part { nodes, .. }) in parts(formula).into_iter().enumerate() {
+            let holds = |id: &NodeId| match loosened {
+                Some(loosened) => loosened.claim(formula, &scratch, *id),
+                None => truth(&scratch, *id),
+            };
+            // What has no value is not needed: something before it does not hold.
+            let claim = nodes.iter().map(holds).collect::<Option<Vec<Claim>>>().map_or(claim, |own| all(&own));
+            self.given.push(Given { claim, what: GivenSource::Statement(index), premises: premises.clone(), part });
+        }
     }
 
     fn name(&self, object: ObjectId) -> &str {
@@ -253,7 +279,7 @@ impl Builder<'_> {
                 [one] => format!("P-BOUNDS keeps `{name}` in `{}`", self.program.regions[one.0 as usize].name),
                 _ => format!("P-BOUNDS keeps `{name}` in a region"),
             });
-            self.given.push(Given { claim: any(&holds), what, premises });
+            self.given.push(Given { claim: any(&holds), what, premises, part: 0 });
         }
     }
 
@@ -270,7 +296,7 @@ impl Builder<'_> {
                 let claim = collides_in_proofs(unknowns, a, b).negated();
                 let what =
                     GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
-                self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]) });
+                self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]), part: 0 });
             }
         }
     }
@@ -287,7 +313,7 @@ impl Builder<'_> {
                 let (of, name) = (self.name(owner), self.name(other));
                 let what = GivenSource::Rule(format!("`{name}` is not in the free space beside `{of}`"));
                 let premises = rests(unknowns, &[owner, other], &[]);
-                self.given.push(Given { claim: implies(free, apart), what, premises });
+                self.given.push(Given { claim: implies(free, apart), what, premises, part: 0 });
             }
         }
     }
@@ -334,7 +360,7 @@ impl Builder<'_> {
                 ways.push((off - other.scale.0[axis].scale(0.5) - square + contact).at_least(0.0));
             }
             let what = GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
-            self.given.push(Given { claim: any(&ways), what, premises: rests(unknowns, &[a, b], &[]) });
+            self.given.push(Given { claim: any(&ways), what, premises: rests(unknowns, &[a, b], &[]), part: 0 });
         }
     }
 
@@ -347,7 +373,7 @@ impl Builder<'_> {
             if let Some(claim) = apart {
                 let what =
                     GivenSource::Rule(format!("P-COLLIDE keeps `{}` and `{}` apart", self.name(a), self.name(b)));
-                self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]) });
+                self.given.push(Given { claim, what, premises: rests(unknowns, &[a, b], &[]), part: 0 });
             }
         }
     }
@@ -399,7 +425,7 @@ impl Builder<'_> {
             let claim = any(&ways);
             let what = GivenSource::Rule(format!("`{}` stands on the floor", self.name(id)));
             let spoken: Vec<ObjectId> = carriers.iter().copied().chain([id]).collect();
-            self.given.push(Given { claim, what, premises: rests(unknowns, &spoken, &regions) });
+            self.given.push(Given { claim, what, premises: rests(unknowns, &spoken, &regions), part: 0 });
         }
     }
 
@@ -450,8 +476,10 @@ impl Builder<'_> {
                 ((i, k), [between.0[0], between.0[2]])
             });
             let pairs = offsets.collect();
+            let fronts = unknowns.fronts(&objects);
             groups.push(PackingRegion {
                 pairs,
+                fronts,
                 size: room.scale.0,
                 at: [room.pos.0[0], room.pos.0[2]],
                 straight: unknowns.is_straight(region),
@@ -465,7 +493,7 @@ impl Builder<'_> {
             let what = GivenSource::Rule("P-COLLIDE keeps boxes from overlapping".to_owned());
             let regions: Vec<RegionId> = (0..self.program.regions.len() as u32).map(RegionId).collect();
             let premises = if spoken.is_empty() { Vec::new() } else { rests(unknowns, &spoken, &regions) };
-            self.given.push(Given { claim, what, premises });
+            self.given.push(Given { claim, what, premises, part: 0 });
         }
         groups
     }
@@ -500,105 +528,6 @@ fn square_in(thing: &ObjectInstance<Term>) -> Option<ObjectInstance<Term>> {
 fn rests(unknowns: &Unknowns<'_>, objects: &[ObjectId], regions: &[RegionId]) -> Vec<usize> {
     let of_objects = objects.iter().filter_map(|o| unknowns.rests.get(o));
     of_objects.chain(regions.iter().filter_map(|r| unknowns.framed.get(r))).flatten().copied().collect()
-}
-
-/// Boxes of known size in a rectangular region of known size.
-struct Company {
-    region: RegionId,
-    objects: Vec<ObjectId>,
-    /// Whether they take up much of it.
-    full: bool,
-}
-
-/// The companies that statements make.
-fn companies(common: &Common<'_>, usual: Option<&Usual>, statements: &[usize]) -> Vec<Company> {
-    let Common { program, options, scope, .. } = common;
-    let mut sizes = nominal_sizes(common, statements);
-    let mut said: BTreeSet<(RegionId, ObjectId)> = BTreeSet::new();
-    for &index in statements {
-        said.extend(insides(&program.constraints[index].formula));
-        said.extend(counted_insides(&program.constraints[index].formula));
-    }
-    if program.regions.len() == 1 && options.physics {
-        let all = statements.iter().flat_map(|s| program.constraints[*s].formula.objects());
-        said.extend(all.filter(|o| scope.bounds(*o)).map(|o| (RegionId(0), o)));
-    }
-    for &(_, object) in &said {
-        if let Some(size) = usual.and_then(|usual| usual.size[object.0 as usize]) {
-            sizes.insert(Owner::Object(object), size);
-        }
-    }
-    let mut out = Vec::new();
-    for region in (0..program.regions.len() as u32).map(RegionId) {
-        let Some(room) = sizes.get(&Owner::Region(region)) else { continue };
-        let objects: Vec<ObjectId> = said
-            .range((region, ObjectId(0))..=(region, ObjectId(u32::MAX)))
-            .map(|(_, object)| *object)
-            .filter(|o| sizes.contains_key(&Owner::Object(*o)) && (usual.is_some() || is_box(program, options, *o)))
-            .collect();
-        let footprint = |o: &ObjectId| sizes.get(&Owner::Object(*o)).map_or(0.0, |s| s[0] * s[2]);
-        let full = objects.iter().map(footprint).sum::<f64>() >= 0.5 * room[0] * room[2];
-        if objects.len() > 1 {
-            out.push(Company { region, objects, full });
-        }
-    }
-    out
-}
-
-/// The statements about each company that takes up much of its region: worth a look of their own.
-pub(super) fn crowds(common: &Common<'_>, usual: Option<&Usual>, statements: &[usize]) -> Vec<Vec<usize>> {
-    let full = companies(common, usual, statements).into_iter().filter(|c| c.full);
-    full.map(|company| {
-        let about = |s: &usize| {
-            let objects = common.program.constraints[*s].formula.objects();
-            objects.iter().all(|o| company.objects.binary_search(o).is_ok())
-        };
-        statements.iter().copied().filter(about).collect()
-    })
-    .collect()
-}
-
-/// Sizes that statements assign as constants.
-fn nominal_sizes(common: &Common<'_>, statements: &[usize]) -> FxHashMap<Owner, [f64; 3]> {
-    let mut out = FxHashMap::default();
-    for pin in common
-        .program
-        .pins
-        .iter()
-        .filter(|p| p.property == Pinned::Scale && statements.binary_search(&p.constraint).is_ok())
-    {
-        if let Some(Ok(Value::Vector(size))) = pin.values.first().map(|f| crate::eval::evaluate(f, &common.nowhere)) {
-            out.insert(pin.owner, size.0);
-        }
-    }
-    out
-}
-
-/// What a formula says at its top level to be inside a region.
-pub(super) fn insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
-    let mut out = Vec::new();
-    let mut open = vec![formula.root];
-    while let Some(id) = open.pop() {
-        match formula.node(id) {
-            Node::And(parts) => open.extend(parts.iter().copied()),
-            Node::BuiltIn(built_in, args) => {
-                out.extend(built_in.contained(args).map(|(object, region)| (region, object)));
-            }
-            _ => {}
-        }
-    }
-    out
-}
-
-/// What a formula counts that is inside a region.
-fn counted_insides(formula: &Formula) -> Vec<(RegionId, ObjectId)> {
-    let ids = (0..formula.nodes.len() as u32).map(NodeId);
-    let counts = ids.filter(|id| matches!(formula.node(*id), Node::Count(_) | Node::AtLeast(..)));
-    let contained = counts.flat_map(|id| cone(formula, id)).filter_map(|id| match formula.node(id) {
-        Node::BuiltIn(built_in, args) => built_in.contained(args).map(|(object, region)| (region, object)),
-        _ => None,
-    });
-    contained.collect()
 }
 
 pub(super) fn regions_of(formula: &Formula) -> Vec<RegionId> {

@@ -25,17 +25,7 @@ pub(super) fn impossible(program: &Program, options: &Options) -> Vec<Contradict
             })
             .collect();
         let why = Polygon::new(&vertices?).err()?.to_string();
-        let (statements, definitions) = (vec![pin.constraint], Vec::new());
-        Some(Contradiction {
-            statements,
-            definitions,
-            rules: vec![why],
-            reason: None,
-            as_usual: false,
-            sizes: Vec::new(),
-            shapes: false,
-            proof: None,
-        })
+        Some(Contradiction { statements: vec![pin.constraint], rules: vec![why], ..Contradiction::default() })
     })
     .collect()
 }

@@ -11,16 +11,17 @@
 
 use super::interval::Interval;
 use super::pierce;
-use super::placing::{MadeOf, Placing, conjuncts};
+use super::placing::{MadeOf, Placing, conjuncts, follow};
 use super::probes::{self, ProbeBox};
 use super::problem::{self, Affine, Problem, Var, VariableFormula};
 use super::state::{Conflict, EventId, EventKind, Rule, State};
 use super::tape::{Claim, Term};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use scenelang_lang::program::{ObjectId, Program};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
+use std::rc::Rc;
 
 /// A box that may stand in a region, by terms.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +71,8 @@ pub(super) struct PackingRegion<T> {
     pub between: Vec<Between<T>>,
     /// How far the centre of the first of a pair is from that of the second, along x and z; sorted by pair.
     pub pairs: Vec<((usize, usize), [T; 2])>,
+    /// The angles between the fronts of pairs that claims speak of.
+    pub fronts: Vec<((usize, usize), T)>,
     pub members: Vec<Member<T>>,
     /// Pairs of members that may overlap all the same, sorted.
     pub excepted: Vec<(usize, usize)>,
@@ -91,7 +94,7 @@ pub(super) struct Packing<'p> {
     program: &'p Program,
     /// By group.
     counted: Vec<Vec<Counted>>,
-    groups: Vec<PackingRegion<Affine>>,
+    pub(super) groups: Vec<PackingRegion<Affine>>,
     /// What holds, taken apart.
     holding: Vec<Claim>,
     /// What of it can be looked at by itself, once somebody asks.
@@ -102,6 +105,10 @@ pub(super) struct Packing<'p> {
     tried: RefCell<FxHashMap<Vec<u64>, bool>>,
     /// Points that were guessed already.
     guessed: RefCell<FxHashMap<Vec<u64>, Vec<probes::Points>>>,
+    /// Which of the claims are about how two are off each other, once somebody asks.
+    pub(super) told: RefCell<FxHashMap<[Var; 2], Rc<[usize]>>>,
+    /// Members that are turned alike and were looked at already, by group.
+    pub(super) alike: RefCell<FxHashSet<(usize, Vec<usize>)>>,
     /// What does not fit, in words, as found last.
     said: RefCell<Option<String>>,
     /// How far boxes may overlap, and stick out of a region on each side (metres).
@@ -125,7 +132,7 @@ impl<'p> Packing<'p> {
         program: &'p Program,
         groups: &[PackingRegion<Term>],
         problem: &Problem,
-        given: &[Claim],
+        [always, given]: [&[Claim]; 2],
         contact: f64,
     ) -> Self {
         let at = |term: Term| problem.terms[term.0 as usize];
@@ -159,6 +166,7 @@ impl<'p> Packing<'p> {
                 at: both(group.at)?,
                 straight: group.straight,
                 between: group.between.iter().filter_map(between).collect(),
+                fronts: group.fronts.iter().filter_map(|(pair, angle)| Some((*pair, at(*angle)?))).collect(),
                 pairs: group.pairs.iter().filter_map(|(pair, off)| Some((*pair, both(*off)?))).collect(),
                 members,
                 excepted: group.excepted.clone(),
@@ -166,7 +174,7 @@ impl<'p> Packing<'p> {
             })
         };
         let groups: Vec<PackingRegion<Affine>> = groups.iter().filter_map(group).collect();
-        let holding = if groups.is_empty() { Vec::new() } else { conjuncts(problem, given) };
+        let holding = if groups.is_empty() { Vec::new() } else { follow(problem, always, conjuncts(problem, given)) };
         let counted = groups.iter().map(|group| counted(problem, group)).collect();
         Self {
             program,
@@ -177,6 +185,8 @@ impl<'p> Packing<'p> {
             placings: OnceCell::new(),
             tried: RefCell::default(),
             guessed: RefCell::default(),
+            told: RefCell::default(),
+            alike: RefCell::default(),
             said: RefCell::default(),
             contact,
         }
@@ -188,7 +198,7 @@ impl<'p> Packing<'p> {
     }
 
     /// What is said of a member alone.
-    fn placing(&self, problem: &Problem, (group, member): (usize, usize)) -> &Placing {
+    pub(super) fn placing(&self, problem: &Problem, (group, member): (usize, usize)) -> &Placing {
         let plain = |t: Affine| {
             let free = t.var != 0 && problem.kinds[t.var as usize] == problem::UnknownKind::Free;
             (free && !t.minus && t.add == Interval::point(0.0)).then_some(t.var)
@@ -212,6 +222,11 @@ impl<'p> Packing<'p> {
     /// Notes what does not fit.
     pub(super) fn say(&self, what: String) {
         *self.said.borrow_mut() = Some(what);
+    }
+
+    /// Nothing of what was noted is why.
+    pub(super) fn unsaid(&self) {
+        self.said.take();
     }
 
     /// The name of a member.
@@ -248,6 +263,7 @@ impl<'p> Packing<'p> {
             if inside.is_empty() {
                 continue;
             }
+            self.nowhere(problem, index, &inside, state)?;
             if state.is_true(group.apart) {
                 // Only those that keep clear of all the others count; whoever may overlap another is left out.
                 let mut count: Vec<usize> = Vec::new();
@@ -264,17 +280,22 @@ impl<'p> Packing<'p> {
                     Some(cut) => vec![cut],
                     None => self.planes(group, &count, state),
                 };
+                self.beside(problem, group, &count, &reasons, state)?;
                 for (upright, plane) in &cuts {
                     let why = [&reasons[..], plane].concat();
                     self.areas(group, upright, &why, 0.0, state)?;
                 }
-                self.beside(problem, group, &count, &reasons, state)?;
+                for (upright, plane) in &cuts {
+                    let why = [&reasons[..], plane].concat();
+                    self.turned_alike(problem, index, upright, &why, state)?;
+                }
                 for (upright, plane) in cuts {
                     let why = [&reasons[..], &plane].concat();
                     self.probes(problem, index, (&upright, upright.len()), &why, None, state)?;
                 }
             }
             self.spaced(problem, index, &inside, state)?;
+            self.too_far(problem, index, &inside, state)?;
             let apart = state.is_true(group.apart).then(|| state.verdict_why[group.apart.index()]);
             self.rings(group, apart, state)?;
         }
@@ -611,7 +632,7 @@ impl<'p> Packing<'p> {
     }
 
     /// Guesses of points by where a member may stand.
-    fn pierced(
+    pub(super) fn pierced(
         &self,
         problem: &Problem,
         (index, member): (usize, usize),
@@ -637,7 +658,7 @@ impl<'p> Packing<'p> {
     }
 
     /// A member as a thing that covers points.
-    fn kind(
+    pub(super) fn kind(
         &self,
         group: &PackingRegion<Affine>,
         member: &Member<Affine>,
@@ -656,7 +677,7 @@ impl<'p> Packing<'p> {
         }
     }
 
-    fn covers(
+    pub(super) fn covers(
         &self,
         problem: &Problem,
         (index, member): (usize, usize),
@@ -666,6 +687,9 @@ impl<'p> Packing<'p> {
         state: &mut State,
     ) -> bool {
         let (group, placing) = (&self.groups[index], self.placing(problem, (index, member)));
+        if !placing.claims.iter().all(|claim| state.is_true(*claim)) {
+            return false;
+        }
         let whole = !placing.claims.is_empty() && kind.turns == probes::ANY_TURN;
         let kind = ProbeBox { turns: if whole { probes::WHOLE_TURN } else { kind.turns }, ..*kind };
         let who = if placing.claims.is_empty() { 0 } else { member as u64 + 1 };

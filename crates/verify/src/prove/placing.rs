@@ -111,6 +111,25 @@ pub(super) fn conjuncts(problem: &Problem, claims: &[Claim]) -> Vec<Claim> {
     out
 }
 
+/// These claims, and what follows from them by those that always hold.
+pub(super) fn follow(problem: &Problem, always: &[Claim], mut holding: Vec<Claim>) -> Vec<Claim> {
+    let given: FxHashSet<Claim> = holding.iter().copied().collect();
+    let contrary = |claim: Claim| Claim(claim.0 ^ 1);
+    for claim in always {
+        // One of these holds.
+        let ways: Vec<Claim> = match &problem.verdicts[claim.index()] {
+            VariableFormula::All(parts) if claim.is_contrary() => parts.iter().map(|p| contrary(*p)).collect(),
+            VariableFormula::AtLeast(1, parts) if !claim.is_contrary() => parts.to_vec(),
+            _ => continue,
+        };
+        let open: Vec<Claim> = ways.iter().copied().filter(|way| !given.contains(&contrary(*way))).collect();
+        if let ([one], true) = (open.as_slice(), ways.len() > 1) {
+            holding.extend(conjuncts(problem, &[*one]));
+        }
+    }
+    holding
+}
+
 /// A claim with what it is made of.
 #[derive(Clone, Debug)]
 pub(super) struct MadeOf {

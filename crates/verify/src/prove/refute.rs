@@ -412,6 +412,11 @@ impl<'a> Refutation<'a> {
                         let zero = term.solve(Interval::point(0.0));
                         (1.0 + 1.0 / (1.0 + domain.width()), zero.lo.max(domain.lo).min(domain.hi))
                     }
+                    // Of the smaller of an angle and its supplement it is open which one that is.
+                    Function::Min | Function::Max if a.var == b.var && a.minus != b.minus => {
+                        let (plus, minus) = if a.minus { (b, a) } else { (a, b) };
+                        (3.0, (minus.add.lo - plus.add.lo) / 2.0)
+                    }
                     _ => (domain.width().min(1e3) / 1e4, domain.lo + domain.width() / 2.0),
                 };
                 let inside = value > domain.lo && value < domain.hi;

@@ -5,17 +5,23 @@
 //! two things that face each other look opposite ways, to within 60 degrees.
 
 use super::tape::{Claim, Term, all, any, implies, look, unknown};
-use super::unknowns::{OUT_OF_BOX, Unknowns};
+use super::unknowns::{ANY, OUT_OF_BOX, Unknowns};
 use crate::eval::{Scratch, Value};
 use crate::number::Algebra;
 use crate::prove::interval::Interval;
 use crate::vector::V3;
+use rustc_hash::FxHashMap;
 use scenelang_lang::program::{Arith, Comparison, Formula, Function, Node, NodeId, ObjectId};
+use std::collections::BTreeSet;
 
 /// A direction is known where the middles are so far from each other, seen from above (metres).
 const APART: f64 = 0.01;
 /// What the tolerance of a comparison may add to a cosine there, and then some.
 const COSINE: f64 = 2e-4;
+
+/// Of more objects than this it is not looked at where each is along common axes; and what rounding may cost there (metres).
+const MOST_FRAMED: usize = 40;
+const ROUNDING: f64 = 1e-7;
 
 /// Two things, with the length of the way from the middle of one to that of the other, seen from above.
 pub(super) type Sight = ([ObjectId; 2], Term);
@@ -64,6 +70,61 @@ impl Unknowns<'_> {
         self.angles.push(([axis, way], angle));
         if !self.sights.iter().any(|(known, _)| *known == ends) {
             self.sights.push((ends, length));
+        }
+    }
+
+    /// The angles between the fronts of objects that claims speak of, by pairs of their numbers here.
+    pub(super) fn fronts(&self, objects: &[ObjectId]) -> Vec<((usize, usize), Term)> {
+        let fronts: FxHashMap<[Term; 3], usize> =
+            objects.iter().enumerate().map(|(i, o)| (self.thing(*o).axes.0[2].0, i)).collect();
+        let of = |([p, q], angle): &([V3<Term>; 2], Term)| {
+            let (i, k) = (*fronts.get(&p.0)?, *fronts.get(&q.0)?);
+            (i != k).then_some(((i.min(k), i.max(k)), *angle))
+        };
+        self.angles.iter().filter_map(of).collect()
+    }
+
+    /// What things see of each other along the axes of some that are turned alike adds up: along each axis every thing has a
+    /// place of its own. Of each pair alone linear reasoning knows only a product.
+    pub(super) fn shared_frames(&mut self, objects: &BTreeSet<ObjectId>) {
+        if objects.len() > MOST_FRAMED {
+            return;
+        }
+        let mut frames: Vec<([V3<Term>; 3], usize)> = Vec::new();
+        for &id in objects {
+            let axes = self.thing(id).axes.0;
+            if axes[1].0[1].known() != Some(1.0) || axes[0].0.iter().all(|c| c.known().is_some()) {
+                continue;
+            }
+            match frames.iter_mut().find(|(known, _)| known[2].0 == axes[2].0) {
+                Some((_, count)) => *count += 1,
+                None => frames.push((axes, 1)),
+            }
+        }
+        for (axes, _) in frames.into_iter().filter(|(_, count)| *count > 1) {
+            for axis in [0, 2] {
+                let mut seen: Vec<(ObjectId, ObjectId, Term)> = Vec::new();
+                for (&a, &b) in objects.iter().flat_map(|a| objects.iter().map(move |b| (a, b))).filter(|(a, b)| a != b)
+                {
+                    let between = self.thing(a).center() - self.thing(b).center();
+                    let before = look(|tape| tape.ops.len());
+                    let term = between.dot(axes[axis]);
+                    // What is new is in nobody's claim.
+                    if (term.0 as usize) < before {
+                        seen.push((a, b, term));
+                    }
+                }
+                // Two of them have no third to add up to.
+                if seen.len() < 3 {
+                    continue;
+                }
+                let mut places: FxHashMap<ObjectId, Term> = FxHashMap::default();
+                for (a, b, term) in seen {
+                    let [a, b] = [a, b].map(|o| *places.entry(o).or_insert_with(|| unknown(ANY)));
+                    let off = term - (a - b);
+                    self.always.extend([off, -off].map(|off| off.at_least(-ROUNDING)));
+                }
+            }
         }
     }
 

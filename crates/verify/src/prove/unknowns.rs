@@ -278,6 +278,13 @@ impl<'p> Unknowns<'p> {
         RegionInstance { pos, rot, scale, outlined: false, prism: Prism::unit() }
     }
 
+    /// Gives a region another extent along an axis than the program does.
+    pub fn resize(&mut self, region: RegionId, axis: usize, to: f64) {
+        if let Some(room) = &mut Rc::make_mut(&mut self.world).regions[region.0 as usize] {
+            room.scale.0[axis] = Term::constant(to);
+        }
+    }
+
     /// Names of the objects, regions and variables, in order.
     pub fn program_objects(&self) -> impl Iterator<Item = &'p str> + use<'p> {
         self.program.objects.iter().map(|o| o.name.as_str())

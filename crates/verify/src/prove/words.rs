@@ -1,5 +1,6 @@
 //! Findings in words: diagnostics, and the steps of a proof.
 
+use super::conjuncts::located;
 use super::minimal::{LARGEST, MOST_SAID};
 use super::model::{ClaimModel, GivenSource};
 use super::problem::{Affine, Function, Problem, UnknownKind, Var, VariableFormula};
@@ -62,10 +63,18 @@ fn contradiction(found: &Contradiction, program: &Program) -> Diagnostic {
     let is_preference = |s: &usize| matches!(of(*s).kind, ConstraintKind::Prefer { .. });
     let preference = found.statements.iter().copied().find(is_preference);
     let main = preference.or_else(|| found.statements.iter().copied().find(speaks)).unwrap_or(found.statements[0]);
-    let mut members: Vec<(Span, &str)> = found.statements.iter().map(|s| (of(*s).span, of(*s).text.as_str())).collect();
+    // What of a statement matters, and where that is.
+    let placed = |s: &usize| match found.parts.iter().find(|(statement, _)| statement == s) {
+        Some((_, parts)) => {
+            parts.iter().map(|p| located(of(*s), *p)).map(|(span, text)| (span, text.unwrap_or(&of(*s).text))).collect()
+        }
+        None => vec![(of(*s).span, of(*s).text.as_str())],
+    };
+    let mut members: Vec<(Span, &str)> = found.statements.iter().flat_map(placed).collect();
     members.extend(found.definitions.iter().map(|d| &program.definitions[*d]).map(|d| (d.span, d.text.as_str())));
+    let count = found.statements.len() + found.definitions.len();
     members.sort_by_key(|(span, _)| (span.file, span.range.start));
-    let mut finding = match members.len() {
+    let mut finding = match count {
         1 if preference.is_some() => {
             Diagnostic::new(codes::W0404, of(main).span, format!("this preference can never hold{rules}"))
         }
