@@ -114,6 +114,9 @@ pub struct DraftThing {
     /// Width, height, depth in metres, as far as the request gives them.
     pub size: Option<[f64; 3]>,
     pub look: Look,
+    /// Where each element stands from the first (x and z in metres), and how it is turned (degrees), if the request gives its
+    /// rows or groups.
+    pub formation: Vec<[f64; 3]>,
     /// Where it comes from.
     pub source: ThingOrigin,
 }

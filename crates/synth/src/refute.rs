@@ -134,6 +134,7 @@ mod tests {
             room: Some(0),
             size: None,
             look: Default::default(),
+            formation: Vec::new(),
             source: added(),
         });
         let asked = draft.things.len() - 1;

@@ -182,6 +182,8 @@ pub enum Pattern {
     Row,
     /// In so many lines; `None`: in several, nobody says how many.
     Rows(Option<usize>),
+    /// In so many groups.
+    Groups(usize),
     Circle,
     /// Beside each other.
     SideBySide,

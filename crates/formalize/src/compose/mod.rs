@@ -1,6 +1,7 @@
 //! What is asked for becomes a draft of the program: names, sizes, places of rooms, and the statements of each fact.
 //! It knows the language and its library, and no words.
 
+mod clusters;
 mod grid;
 mod sizes;
 mod state;
@@ -64,6 +65,11 @@ pub fn compose(brief: &Brief) -> Draft {
         *size = room.size;
     }
     let named = state::Named { brief, names: given, counts, rooms: room_names, sizes, room_sizes };
+    for (i, names) in named.names.iter().enumerate().filter(|(_, names)| names.len() == 1) {
+        if let Some(thing) = draft.things.iter_mut().find(|thing| thing.name == names[0] && thing.count > 1) {
+            thing.formation = named.formation(i);
+        }
+    }
     let mut stated = state::state(&named);
     windows(&named, &mut draft, &mut stated);
     draft.statements = stated.statements;
@@ -159,6 +165,7 @@ fn declare(
                 room: Some(item.room),
                 size: Some(sizes[i]),
                 look: item.look.clone(),
+                formation: Vec::new(),
                 source,
             });
         }
@@ -209,7 +216,7 @@ fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<DraftR
             size: sizes[i],
             sized,
             outline,
-            floor: surface(&room.floor),
+            floor: floor(&room.floor),
             walls: surface(&room.walls),
             source,
         });
@@ -265,6 +272,20 @@ fn surface(look: &Look) -> Surface {
     let is_material = |word: &&String| MATERIALS_AND_SHADES.contains(&word.as_str());
     let material = look.material.clone().or_else(|| look.features.iter().find(is_material).cloned());
     Surface { color: look.color.clone(), material }
+}
+
+/// The finish of a floor: one of which it is said only that it is dark or light is of such wood.
+fn floor(look: &Look) -> Surface {
+    let Surface { color, material: None } = surface(look) else { return surface(look) };
+    let shade = color.iter().chain(&look.features).find_map(|word| match word.as_str() {
+        "dark" => Some("dark wood"),
+        "light" | "pale" => Some("light wood"),
+        _ => None,
+    });
+    match shade {
+        Some(wood) => Surface { color: None, material: Some(wood.to_owned()) },
+        None => Surface { color, material: None },
+    }
 }
 
 /// An even polygon with a side at the front, within a width and a depth.

@@ -256,7 +256,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
             return;
         }
     }
-    if stacks::are_many(plan, thing) && stacks::stand_up(plan, thing) || stacks::in_said_rows(plan, thing) {
+    if stacks::are_many(plan, thing) && stacks::stand_up(plan, thing) || stacks::in_formation(plan, thing) {
         return;
     }
     // Where such rooms have it in the middle, it is not at a wall; where they have it at a place of its own, it is there.

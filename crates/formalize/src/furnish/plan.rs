@@ -270,6 +270,7 @@ impl<'a> Plan<'a> {
             room: Some(self.room),
             size: Some(size.map(|v| (v * 1000.0).round() / 1000.0)),
             look,
+            formation: Vec::new(),
             source: ThingOrigin::Inferred(why.to_owned()),
         });
         self.draft.things.len() - 1

@@ -573,7 +573,7 @@ fn pairs([w, d]: [f64; 2], size: [f64; 3], front: f64, (n, aside): (usize, bool)
 impl Plan<'_> {
     /// How far a thing and what stands around it reach to the left, the right, the back and the front of its middle. Not each
     /// of several has a bin.
-    fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
+    pub(super) fn reach(&self, noun: &str, of: [f64; 3]) -> [f64; 4] {
         let mut out = [of[0] / 2.0, of[0] / 2.0, of[2] / 2.0, of[2] / 2.0];
         // Seats that are asked for stand there, too.
         let here = || self.draft.things.iter().filter(|t| t.room == Some(self.room) && t.count > 1);

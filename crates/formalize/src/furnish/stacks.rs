@@ -1,5 +1,5 @@
 //! Many bookshelves stand as in libraries: in double rows, back to back, with aisles between them. Shelves and racks of which
-//! the request gives the number of rows stand in these as one block.
+//! the request gives the number of rows stand in these as one block, and so do tables of which it gives the groups.
 
 use super::build::Root;
 use super::floor::{Floor, Footprint, Pose, Shape};
@@ -41,43 +41,40 @@ pub fn stand_up(plan: &mut Plan, thing: usize) -> bool {
     put(plan, thing, &places)
 }
 
-/// Puts shelves where the request gives their rows. Whether it does, and there is room for all.
-pub fn in_said_rows(plan: &mut Plan, thing: usize) -> bool {
+/// Puts shelves where the request gives their rows, and tables where it gives their groups. Whether it does, and there is
+/// room for all.
+pub fn in_formation(plan: &mut Plan, thing: usize) -> bool {
     let it = plan.draft.things[thing].clone();
-    let is_storage = stand::group(&it.category) == Group::Storage && plan.draft.rooms[plan.room].outline.is_none();
-    let (Some(size), Some([columns, across, deep]), true) = (it.size, said_rows(plan, &it.name), is_storage) else {
+    let group = stand::group(&it.category);
+    let in_groups = group == Group::Table && it.formation.iter().any(|[.., yaw]| *yaw != 0.0);
+    let has_corners = plan.draft.rooms[plan.room].outline.is_some();
+    let (Some(size), false, true) =
+        (it.size, it.formation.is_empty() || has_corners, group == Group::Storage || in_groups)
+    else {
         return false;
     };
-    let rows = it.count.div_ceil(columns as usize) as f64;
-    let (wide, far) = ((columns - 1.0) * across, (rows - 1.0) * deep);
-    let place = |i: usize| Pose {
-        x: (i as f64 % columns) * across - wide / 2.0,
-        z: far / 2.0 - (i as f64 / columns).floor() * deep,
-        ..Pose::default()
+    // With what stands at each.
+    let [_, _, back, front] = if in_groups {
+        plan.reach(&it.category.replace('_', " "), size)
+    } else {
+        [size[0] / 2.0, size[0] / 2.0, size[2] / 2.0, size[2] / 2.0]
     };
-    let block = [wide + size[0], size[1], far + size[2]];
-    let all = vec![(block, (0..it.count).map(place).collect())];
+    let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for [x, z, yaw] in &it.formation {
+        let [behind, before] = if *yaw == 0.0 { [back, front] } else { [front, back] };
+        least = [least[0].min(x - size[0] / 2.0), least[1].min(z - behind)];
+        most = [most[0].max(x + size[0] / 2.0), most[1].max(z + before)];
+    }
+    let middle = [0, 1].map(|k| (least[k] + most[k]) / 2.0);
+    let place = |[x, z, yaw]: &[f64; 3]| Pose { x: x - middle[0], z: z - middle[1], yaw: *yaw, ..Pose::default() };
+    let block = [most[0] - least[0], size[1], most[1] - least[1]];
+    let all = vec![(block, it.formation.iter().map(place).collect())];
     let Some(places) = places(plan, thing, all, &[0.0]) else {
         // They want a larger room.
         plan.lacking += it.count;
         return false;
     };
     put(plan, thing, &places)
-}
-
-/// How many are in a row, from one to the next, and from one row to the next, if that is said of an array.
-fn said_rows(plan: &Plan, name: &str) -> Option<[f64; 3]> {
-    let at = format!(" * r + i].pos.x = {name}[0].pos.x + i * ");
-    plan.draft.statements.iter().find_map(|s| {
-        let (before, after) = s.text.split_once(&at)?;
-        let number = |text: &str| {
-            let end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
-            text[..end].trim_end_matches('.').parse::<f64>().ok()
-        };
-        let columns = before.rsplit_once(&format!("{name}["))?.1.parse().ok()?;
-        let (_, deep) = after.split_once(&format!("{name}[0].pos.z - r * "))?;
-        Some([columns, number(after)?, number(deep)?])
-    })
 }
 
 /// Places on the floor for the first of some arrangements that has one, with room around it.

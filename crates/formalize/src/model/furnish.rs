@@ -130,6 +130,7 @@ pub(super) fn furnish(
                 material: words(object.material.as_deref()),
                 features: object.features.iter().take(12).filter_map(|feature| words(Some(feature))).collect(),
             },
+            formation: Vec::new(),
             source: sentences.source(object.sentence, object.reason.as_deref()),
         });
     }

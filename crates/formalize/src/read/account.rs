@@ -39,13 +39,16 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
         }
         let understood = own.iter().all(|i| used[*i] || is_purpose(tokens, *i));
         out.clauses.push(Clause { at: at.clone(), understood });
-        if !understood && own.iter().all(|i| !used[*i]) {
-            out.notes.push(Note { at, reason: "nothing was understood here".into() });
-            continue;
-        }
         let told = |notes: &[Note], at: &Range<usize>| {
             notes.iter().chain(noted).any(|note| note.at.start <= at.start && at.end <= note.at.end)
         };
+        if !understood && own.iter().all(|i| !used[*i]) {
+            // The reader may have said already why.
+            if !told(&[], &at) {
+                out.notes.push(Note { at, reason: "nothing was understood here".into() });
+            }
+            continue;
+        }
         let first = out.notes.len();
         for &i in own.iter().filter(|i| !used[**i]) {
             let at = tokens[i].at.clone();

@@ -9,8 +9,8 @@ use crate::furnish::kinds;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] =
-        [corner, facing, side, along_side, on_the_left, away, corner_of_table];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
+        [corner, facing, side, along_side, on_the_left, away, corner_of_table, north_of];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -83,6 +83,17 @@ fn of_room(tokens: &[Token], i: usize) -> Option<usize> {
         let name: Vec<&str> = (i + 2..*end).map(|k| word(tokens, k)).collect();
         !name.contains(&"") && (name == ["room"] || name == ["space"] || kinds::named(&name.join(" ")).is_some())
     })
+}
+
+/// "A lamp north of the table": "to the north of the table", so that the direction is no part of the name.
+fn north_of(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "north" | "south" | "east" | "west") && word(tokens, i + 1) == "of";
+    if !said || i == 0 || !tokens[i - 1].word() || matches!(word(tokens, i - 1), "the" | "to") {
+        return false;
+    }
+    let direction = tokens[i].text.clone();
+    put(tokens, i, i + 1, &["to", "the", &direction]);
+    true
 }
 
 /// "On the left side of the room", "in the western half of the office": in that half of it.
@@ -189,6 +200,7 @@ mod tests {
             ("six desks facing east.", "six desks facing the east wall ."),
             ("a chair on the left side of the room.", "a chair to the left as you come in ."),
             ("a desk on the north side of the office.", "a desk at the back of the office ."),
+            ("a lamp north of the table.", "a lamp to the north of the table ."),
             ("a lamp on the left side of the desk.", "a lamp on the left side of the desk ."),
             ("fridges along the right side and a till.", "fridges along the right wall and a till ."),
             ("a bed with lamps on both sides.", "a bed with lamps on both sides ."),

@@ -17,6 +17,7 @@ struct Finish {
     /// The whole phrase.
     phrase: Range<usize>,
     looks: Range<usize>,
+    /// The word that it ends with: "walls", "floor", "tiles".
     noun: usize,
 }
 
@@ -60,6 +61,7 @@ fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
         from..from + tokens.iter().skip(from).take_while(is_look).count()
     };
     let is_surface = |i: usize| matches!(word(tokens, i), "walls" | "floor" | "floors" | "flooring" | "floorboards");
+    let is_tiled = |i: usize| word(tokens, i) == "tiles";
     let (looks, noun, end) = if is_surface(from) {
         let linked = match (word(tokens, from + 1), word(tokens, from + 2)) {
             ("made", "of") => from + 3,
@@ -70,16 +72,36 @@ fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
         (looks.clone(), from, looks.end)
     } else {
         let looks = looks(from);
-        (looks.clone(), looks.end, looks.end + 1)
+        // "White wall tiles"
+        let of = usize::from(matches!(word(tokens, looks.end), "wall" | "floor") && is_tiled(looks.end + 1));
+        (looks.clone(), looks.end + of, looks.end + of + 1)
     };
     let ends = tokens.get(end).is_none_or(|t| !t.word() || t.is("and") || t.is("with"));
-    // "Dark walls" have no colour that one could give them.
+    // "Dark walls" have no colour that one could give them; a dark floor is one of dark wood.
+    let is_floor = is_surface(noun) && word(tokens, noun) != "walls";
     let is_look = |t: &Token| {
         let look = get().look(&t.text);
-        matches!(look, Some(LookWord::Color | LookWord::Material)) || MATERIALS_AND_SHADES.contains(&t.text.as_str())
+        matches!(look, Some(LookWord::Color | LookWord::Material))
+            || MATERIALS_AND_SHADES.contains(&t.text.as_str())
+            || is_floor && matches!(t.text.as_str(), "dark" | "light" | "pale")
     };
     let says_how = tokens.get(looks.clone()).is_some_and(|looks| looks.iter().any(is_look));
-    (says_how && is_surface(noun) && ends).then_some(Finish { before: i..start, phrase: start..end, looks, noun })
+    let is_finish = says_how && (is_surface(noun) || is_tiled(noun)) && ends;
+    is_finish.then_some(Finish { before: i..start, phrase: start..end, looks, noun })
+}
+
+/// Whether tiles are on the walls: "wall tiles", and those of which nobody says where they are in a bathroom, or in a room
+/// with another floor.
+fn are_on_walls(tokens: &[Token], noun: usize) -> bool {
+    const TILED: [&str; 4] = ["bathroom", "shower", "toilet", "washroom"];
+    match word(tokens, noun - 1) {
+        "wall" => true,
+        "floor" => false,
+        _ => {
+            let other = tokens.iter().any(|t| matches!(t.text.as_str(), "floor" | "floors" | "flooring"));
+            other || tokens[sentence(tokens, noun)].iter().any(|t| TILED.contains(&t.text.as_str()))
+        }
+    }
 }
 
 /// Takes a finish out of its list, and adds a sentence that says it after the one that it was in.
@@ -88,7 +110,9 @@ fn move_out(tokens: &mut Vec<Token>, finish: &Finish) {
     let end = sentence(tokens, phrase.start).end;
     let like = tokens[*noun].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..like.clone() };
-    let (surface, verb) = if like.is("walls") { ("walls", "are") } else { ("floor", "is") };
+    let is_tiled = like.is("tiles");
+    let on_walls = like.is("walls") || is_tiled && are_on_walls(tokens, *noun);
+    let (surface, verb) = if on_walls { ("walls", "are") } else { ("floor", "is") };
     let mut said = vec![new(WordKind::Sign('.'), ".")];
     said.extend(["the", surface, verb].map(|text| new(WordKind::Word, text)));
     // "Exposed brick" is brick.
@@ -96,6 +120,9 @@ fn move_out(tokens: &mut Vec<Token>, finish: &Finish) {
     said.extend(tokens[looks.clone()].iter().cloned());
     let first = said.len() - looks.len();
     said[first].at.start = tokens[from].at.start;
+    if is_tiled {
+        said.push(new(WordKind::Word, "tile"));
+    }
     tokens.splice(end..end, said);
     let goes_on = |i: usize| tokens.get(i).is_some_and(|t| t.kind == WordKind::Sign(',') || t.is("and"));
     let first = matches!(word(tokens, before.start), "with" | "has" | "have");
@@ -126,7 +153,7 @@ fn style(tokens: &mut Vec<Token>, i: usize) -> bool {
 }
 
 /// The sentence around a token, without what ends it.
-fn sentence(tokens: &[Token], i: usize) -> Range<usize> {
+pub(super) fn sentence(tokens: &[Token], i: usize) -> Range<usize> {
     let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
     let start = tokens[..i].iter().rposition(ends).map_or(0, |end| end + 1);
     let end = tokens[i..].iter().position(ends).map_or(tokens.len(), |end| i + end);
@@ -157,6 +184,14 @@ mod tests {
             ("a kitchen with walls painted green, and a table", "a kitchen with a table . the walls are green"),
             ("a bedroom in a modern style with a bed.", "a modern bedroom with a bed ."),
             ("a loft with exposed brick walls.", "a loft . the walls are brick ."),
+            (
+                "a kitchen with white tiles, a dark floor and a table.",
+                "a kitchen with a table . the floor is dark . the walls are white tile .",
+            ),
+            ("a kitchen with grey tiles and a table.", "a kitchen with a table . the floor is grey tile ."),
+            ("a bathroom with blue wall tiles and a bath.", "a bathroom with a bath . the walls are blue tile ."),
+            ("a bathroom with a toilet and white tiles.", "a bathroom with a toilet . the walls are white tile ."),
+            ("a shop with a pile of white tiles.", "a shop with a pile of white tiles ."),
             // Not of a room, not of all its walls, or of which room?
             ("a picture on the white walls.", "a picture on the white walls ."),
             ("a bedroom with dark walls and a bed.", "a bedroom with dark walls and a bed ."),

@@ -2,7 +2,7 @@
 
 use super::chunk::Dims;
 use super::token::Token;
-use crate::brief::{Group, Op, Place};
+use crate::brief::{Group, Op, Pattern, Place};
 use crate::draft;
 pub(super) use ahead::room_here;
 pub use amount::{add_dims, bounded};
@@ -83,8 +83,8 @@ pub struct Np {
     pub nth: Option<Nth>,
     /// "a row of chairs".
     pub row: bool,
-    /// "three rows of four chairs".
-    pub rows: Option<usize>,
+    /// "three rows of four chairs", "two groups of four desks".
+    pub pattern: Option<Pattern>,
     /// Whether the number is said to bind from one side, or exactly: "at least two chairs".
     pub bound: Option<Op>,
 }
@@ -129,7 +129,7 @@ impl Np {
             other: false,
             nth: None,
             row: false,
-            rows: None,
+            pattern: None,
             bound: None,
         }
     }

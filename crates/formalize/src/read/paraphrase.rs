@@ -9,13 +9,15 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 60] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 62] = [
             super::spelling::plain,
             super::annexes::plain,
             super::loose::plain,
             super::compass::plain,
             super::opening::plain,
             super::fronted::plain,
+            super::seated::plain,
+            super::sight::plain,
             apart,
             together,
             each_other,

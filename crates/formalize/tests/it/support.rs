@@ -50,6 +50,7 @@ pub fn thing(name: &str, category: &str, room: Option<usize>) -> DraftThing {
         room,
         size: None,
         look: Default::default(),
+        formation: Vec::new(),
         source: ThingOrigin::Inferred("a test".into()),
     }
 }

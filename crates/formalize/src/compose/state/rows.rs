@@ -3,6 +3,7 @@
 use super::relations::AROUND;
 use super::{Named, indexed};
 use crate::brief::{FactKind, Group, Op, Pattern, Place, Rel};
+use crate::compose::clusters::{self, Clusters};
 use crate::compose::grid::{self, Grid};
 use crate::furnish::kinds;
 use crate::write::number;
@@ -11,6 +12,8 @@ use crate::write::number;
 const RING: std::ops::RangeInclusive<usize> = 3..=12;
 const IN_RING: f64 = 0.3;
 const RADIUS: f64 = 1.0;
+/// What stands in a group, and has no place of its own in it, is so near to the first (metres).
+const IN_GROUP: f64 = 1.0;
 
 impl Named<'_> {
     /// A circle around nothing: evenly spaced, each turned to the middle.
@@ -98,6 +101,16 @@ impl Named<'_> {
                 )
             }
             Pattern::Rows(_) => format!("forall i in 1..{n}: parallel({of}[i], {of}[0])"),
+            Pattern::Groups(groups) => match self.clusters(a) {
+                Some(clusters) => clusters.formula(of),
+                None if groups > 0 && n.is_multiple_of(groups) && n > groups => {
+                    let k = n / groups;
+                    format!(
+                        "forall g in 0..{groups}: forall i in 1..{k}: near({of}[{k} * g + i], {of}[{k} * g], {IN_GROUP})"
+                    )
+                }
+                None => return None,
+            },
             Pattern::Circle => {
                 let around = self.centre_of(a);
                 match around {
@@ -220,13 +233,17 @@ impl Named<'_> {
             }
             _ => None,
         })?;
-        let grid = self.grid(b)?;
+        let (grid, groups) = (self.grid(b), self.clusters(b));
+        if grid.is_none() && groups.is_none() {
+            return None;
+        }
+        let in_pairs = grid.is_some_and(|grid| grid.backs || grid.faces);
         let (n, m) = (self.counts[a], self.counts[b]);
         if self.group(a) != Group::Seat || m < 2 || n % m != 0 {
             return None;
         }
         let k = n / m;
-        if k > 4 && rel == Rel::Around && !grid.backs && !grid.faces {
+        if k > 4 && rel == Rel::Around && !in_pairs && groups.is_none() {
             return Some(self.ring_of_seats(a, b, k));
         }
         let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
@@ -253,12 +270,17 @@ impl Named<'_> {
             };
             (0..k).map(one).collect::<Vec<_>>().join(" and ")
         };
-        let columns = grid.columns;
-        Some(if grid.backs || grid.faces {
-            let sign = if grid.backs { 1.0 } else { -1.0 };
-            format!("(forall i in 0..{columns}: {}) and forall i in {columns}..{m}: {}", places(sign), places(-sign))
-        } else {
-            format!("forall i in 0..{m}: {}", places(1.0))
+        // The second line is turned round.
+        let turned = match (grid, groups) {
+            (Some(grid), _) if in_pairs => Some((grid.columns, if grid.backs { 1.0 } else { -1.0 })),
+            (Some(_), _) => None,
+            (None, groups) => groups.map(|groups| (groups.firsts(), 1.0)),
+        };
+        Some(match turned {
+            Some((first, sign)) => {
+                format!("(forall i in 0..{first}: {}) and forall i in {first}..{m}: {}", places(sign), places(-sign))
+            }
+            None => format!("forall i in 0..{m}: {}", places(1.0)),
         })
     }
 
@@ -279,13 +301,18 @@ impl Named<'_> {
         if let Some((_, turned)) = self.wall_row(a) {
             return Some(format!("{}.rot <- rot(0, {}, 0);", self.name(a), number(turned)));
         }
-        let (grid, of) = (self.grid(a)?, self.name(a));
-        Some(if grid.backs || grid.faces {
-            let (k, n) = (grid.columns, self.counts[a]);
-            let [first, second] = if grid.backs { [0, 180] } else { [180, 0] };
+        let (of, n) = (self.name(a), self.counts[a]);
+        let two_ways = |k: usize, [first, second]: [u32; 2]| {
             format!(
                 "assert (forall i in 0..{k}: {of}[i].rot = rot(0, {first}, 0)) and forall i in {k}..{n}: {of}[i].rot = rot(0, {second}, 0);"
             )
+        };
+        if let Some(clusters) = self.clusters(a) {
+            return Some(two_ways(clusters.firsts(), [0, 180]));
+        }
+        let grid = self.grid(a)?;
+        Some(if grid.backs || grid.faces {
+            two_ways(grid.columns, if grid.backs { [0, 180] } else { [180, 0] })
         } else {
             // Who sits at a desk in a classroom sees the board, across the desk.
             let room = self.brief.rooms.get(self.brief.things[a].room).and_then(|room| kinds::of(&room.name));
@@ -298,6 +325,26 @@ impl Named<'_> {
     pub fn grid(&self, a: usize) -> Option<Grid> {
         let room = self.room_sizes.get(self.brief.things[a].room)?;
         grid::grid(self.brief, &self.sizes, a, Some(*room))
+    }
+
+    /// The groups in which an array stands, if nothing else says where each is.
+    pub fn clusters(&self, a: usize) -> Option<Clusters> {
+        let room = self.room_sizes.get(self.brief.things[a].room)?;
+        clusters::clusters(self.brief, self.sizes[a], self.counts[a], a, *room).filter(|_| self.array(a))
+    }
+
+    /// Where each of an array stands from the first, and how it is turned, if the request gives its rows or groups.
+    pub fn formation(&self, a: usize) -> Vec<[f64; 3]> {
+        if let Some(clusters) = self.clusters(a) {
+            return clusters.places();
+        }
+        let told = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_) | Pattern::Row)));
+        let Some(grid) = self.grid(a).filter(|grid| told && !grid.backs && !grid.faces) else { return Vec::new() };
+        let place = |i: usize| {
+            let (row, column) = (i / grid.columns, i % grid.columns);
+            [column as f64 * grid.steps[0], -(row as f64) * grid.steps[1], 0.0]
+        };
+        (0..self.counts[a]).map(place).collect()
     }
 
     pub(super) fn rows_apart(&self, a: usize, op: Op, v: f64) -> Option<String> {

@@ -306,6 +306,11 @@ impl Reader<'_> {
         if !listed || owner != to {
             return None;
         }
+        // "with a cabinet, a chair, and both beds visible from the door": of the beds.
+        let np = self.chunks[i - 1 - verb].np()?;
+        if matches!(np.det, Det::Definite | Det::Each) {
+            return None;
+        }
         // "with a matching chair, and two books on top": of the books.
         let last = *self.s.owned.last()?;
         let group = self.brief.things[last].group;

@@ -179,6 +179,38 @@ impl Reader<'_> {
         said
     }
 
+    /// "In two islands of three", "in groups of four": how things stand, and how many they are.
+    pub(super) fn clusters(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
+        const GROUPS: [&str; 7] = ["island", "block", "cluster", "group", "pod", "pair", "bank"];
+        let chunk = self.chunks.get(i + 1).filter(|_| rel == Rel::In && i + 1 < end)?;
+        let groups = crate::read::lexicon::singular(&self.tokens[chunk.at.end - 1].text);
+        if groups == self.tokens[chunk.at.end - 1].text || !GROUPS.contains(&groups.as_str()) {
+            return None;
+        }
+        let count = chunk.np().and_then(|np| np.count).filter(|n| *n > 1);
+        let of = matches!(self.piece(i + 2, end), Some(ChunkPiece::Rel(Rel::Of)));
+        let each = if of { self.number_at(i + 3, end) } else { None };
+        let each = each.or_else(|| (groups == "pair").then_some(2));
+        let of_it = if self.main.is_empty() { &self.near } else { &self.main };
+        let next = i + 2 + if of && each.is_some() { 2 } else { 0 };
+        let [item] = of_it[..] else { return count.map(|_| next) };
+        let thing = &mut self.brief.things[item];
+        if let (Some(n), Some(each)) = (count, each)
+            && thing.number.many()
+            && thing.number.said().is_none()
+        {
+            thing.number = Number::Exactly(n * each);
+        }
+        let all = thing.number.said();
+        let groups = count.or_else(|| each.zip(all).map(|(each, all)| all / each.max(1)));
+        let whole = |groups: &usize| all.is_some_and(|all| *groups > 0 && all % groups == 0 && all > *groups);
+        if let Some(groups) = groups.filter(whole) {
+            self.say(&[item], FactKind::Pattern(Pattern::Groups(groups)));
+            (i..next).for_each(|chunk| self.mark(chunk));
+        }
+        Some(next)
+    }
+
     /// "Which form three blocks of four", and the blocks later on: the things that form them. The next chunk.
     pub(super) fn forms(&mut self, i: usize, end: usize, np: &Np) -> Option<usize> {
         const GROUPS: [&str; 6] = ["block", "cluster", "group", "pod", "bank", "set"];
@@ -198,6 +230,7 @@ impl Reader<'_> {
         if thing.number == Number::Plural && n * each <= MOST_COUNT {
             thing.number = Number::Exactly(n * each);
         }
+        self.say(&[item], FactKind::Pattern(Pattern::Groups(n)));
         self.formed = Some((name, item));
         (i..i + 3).for_each(|chunk| self.mark(chunk));
         Some(i + 3)

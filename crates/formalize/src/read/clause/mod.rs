@@ -315,7 +315,8 @@ impl<'a> Reader<'a> {
             unsaid.push(from..end);
         }
         for range in &unsaid {
-            let at = self.bytes(range.clone());
+            let comma = usize::from(chunks[range.start].piece == ChunkPiece::Comma && range.len() > 1);
+            let at = self.bytes(range.start + comma..range.end);
             let reason =
                 "this part could not be translated, because no statement of the language expresses it".to_owned();
             self.brief.notes.push(Note { at, reason });

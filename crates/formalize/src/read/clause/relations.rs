@@ -174,7 +174,9 @@ impl Reader<'_> {
             if each && items.len() == 1 && self.s.one {
                 self.one_each(&of, items[0]);
             }
-            if each && items.len() == 1 && !self.s.one {
+            // "A whiteboard visible from every desk" is one.
+            let of_each = !matches!(rel, Rel::Visible | Rel::Reachable);
+            if each && items.len() == 1 && !self.s.one && of_each {
                 let fresh: Vec<usize> = of
                     .iter()
                     .copied()
@@ -557,25 +559,6 @@ impl Reader<'_> {
             }
         }
         (Lead::Place(place, which), next)
-    }
-
-    /// "in two islands of three": how things stand, and how many they are.
-    fn clusters(&mut self, i: usize, end: usize, rel: Rel) -> Option<usize> {
-        let np = self.np(i + 1, end).filter(|_| rel == Rel::In)?;
-        let n = np.count.filter(|n| *n > 1)?;
-        if !matches!(np.words.last()?.as_str(), "island" | "block" | "cluster" | "group" | "pod" | "pair" | "bank") {
-            return None;
-        }
-        let of = matches!(self.piece(i + 2, end), Some(ChunkPiece::Rel(Rel::Of)));
-        let each = if of { self.number_at(i + 3, end) } else { None };
-        if let (Some(each), [item]) = (each, self.main.as_slice()) {
-            let item = &mut self.brief.things[*item];
-            if item.number.many() && item.number.said().is_none() {
-                item.number = Number::Exactly(n * each);
-            }
-            self.mark(i + 1);
-        }
-        Some(i + 2 + if each.is_some() { 2 } else { 0 })
     }
 
     /// Whether a relation says "either side", "both sides".

@@ -566,8 +566,8 @@ impl Reader<'_> {
         if np.row {
             self.say(&[id], FactKind::Pattern(Pattern::Row));
         }
-        if let Some(rows) = np.rows {
-            self.say(&[id], FactKind::Pattern(Pattern::Rows(Some(rows))));
+        if let Some(pattern) = np.pattern {
+            self.say(&[id], FactKind::Pattern(pattern));
         }
         if np.look.features.iter().any(|f| f == "matching") {
             self.match_looks(id);

@@ -125,4 +125,46 @@ impl Reader<'_> {
         let np = (k..end.min(k + 3)).find(|k| self.np(*k, end).is_some_and(|np| np.kind == NounKind::Thing))?;
         Some(np + 1)
     }
+
+    /// "The visitors stand by the window": of people, and of no thing, as long as the clause names none that is new.
+    pub(super) fn of_people(&self, i: usize, from: usize, to: usize) -> bool {
+        const WHERE: [&str; 12] =
+            ["sit", "sits", "stand", "stands", "wait", "waits", "lie", "lies", "walk", "walks", "work", "works"];
+        let begins = i == from || matches!(self.chunks[i - 1].piece, ChunkPiece::And | ChunkPiece::Comma);
+        let article = usize::from(matches!(self.word_at(i, 0), "the" | "a" | "an" | "our" | "all"));
+        let who =
+            |word: &str| get().is(word, Class::Person) || get().is(&scenelang_lang::nouns::plural(word), Class::Person);
+        let is_new = |np: &Np| np.kind == NounKind::Thing && !matches!(np.det, Det::Definite | Det::Own);
+        begins
+            && who(self.word_at(i, article))
+            && WHERE.contains(&self.word_at(i, article + 1))
+            && !(i..to).any(|k| self.np(k, to).is_some_and(is_new))
+    }
+
+    /// "Please make me a classroom": of what is wanted, not of what makes somebody nervous.
+    pub(super) fn asks_for(&self, i: usize) -> bool {
+        let me = matches!(self.word_at(i, 1), "me" | "us" | "him" | "her");
+        me && matches!(self.word_at(i, 2), "a" | "an" | "another" | "one" | "two" | "three" | "some" | "this" | "the")
+    }
+
+    /// "So a robot can pass", "so I can check on them": what something is for.
+    pub(super) fn so_that(&self, i: usize) -> bool {
+        const HANDLED: [&str; 9] = ["walk", "move", "get", "reach", "open", "see", "watch", "pass", "sit"];
+        let that = usize::from(self.word_at(i, 1) == "that");
+        let who = self.word_at(i, 1 + that);
+        let can = (2..5).find(|n| matches!(self.word_at(i, n + that), "can" | "could" | "may" | "fits" | "passes"));
+        let robot = || (2..5).any(|n| matches!(self.word_at(i, n + that), "robot" | "robots"));
+        let somebody = matches!(who, "i" | "you" | "we" | "she" | "he" | "they" | "people" | "kids" | "staff");
+        let new = |can: usize| !HANDLED.contains(&self.word_at(i, can + 1 + that));
+        self.word_at(i, 0) == "so" && can.is_some_and(|can| robot() || somebody && new(can))
+    }
+
+    /// "12 cm clearance underneath": a space that no statement speaks of.
+    pub(super) fn free_beneath(&self, i: usize) -> bool {
+        let space = matches!(self.word_at(i, 0), "clearance" | "space" | "room" | "gap");
+        let to = usize::from(space);
+        let beneath = |n: usize| matches!(self.word_at(i, n), "underneath" | "beneath" | "below" | "under");
+        let ends = |n: usize| self.ends_at(i, n) || matches!(self.word_at(i, n), "it" | "them" | "so" | "for" | "and");
+        space && beneath(to) && ends(to + 1)
+    }
 }

@@ -154,7 +154,9 @@ impl Reader<'_> {
                 ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
                 // "nobody wants a table under it": not which table there is; "clocks make people nervous"
                 ("nobody" | "noone", "wants" | "needs" | "likes" | "uses")
-                | ("make" | "makes" | "made", "people" | "everyone" | "everybody" | "him" | "her" | "us" | "me") => {
+                | ("make" | "makes" | "made", "people" | "everyone" | "everybody" | "him" | "her" | "us" | "me")
+                    if !self.asks_for(i) =>
+                {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 // "left of the bed as seen from the door": left and right are the viewer's, and no statement says whose.
@@ -167,6 +169,12 @@ impl Reader<'_> {
                     out.push((from..i).rev().find(joins).map_or(from, |k| k + 1)..to);
                 }
                 _ if self.same_as(i, to).is_some() => out.extend(self.same_as(i, to)),
+                _ if self.of_people(i, from, to) || self.so_that(i) => out.push(i..to),
+                _ if self.free_beneath(i) => {
+                    let with = (from..i).rev().find(|k| stop(k) || self.chunks[*k].piece == ChunkPiece::With);
+                    let next = |k: &usize| matches!(self.chunks[*k].piece, ChunkPiece::With | ChunkPiece::And);
+                    out.push(with.unwrap_or(from)..(i + 1..to).find(next).unwrap_or(to));
+                }
                 _ if self.as_much(i, end).is_some() => {
                     let begin = i - usize::from(i > from && matches!(self.chunks[i - 1].piece, ChunkPiece::Word(_)));
                     out.push(begin..self.as_much(i, end).unwrap_or(to));

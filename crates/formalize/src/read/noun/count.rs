@@ -6,10 +6,13 @@ use super::super::token::Token;
 use super::super::{counts, number};
 use super::scan::Scan;
 use super::{Det, Nth};
+use crate::brief::Pattern;
 
 /// What things stand in that are counted by it.
-const GATHERED: [&str; 8] = ["rows", "lines", "columns", "groups", "clusters", "sets", "stacks", "banks"];
+const GATHERED: [&str; 10] =
+    ["rows", "lines", "columns", "groups", "clusters", "sets", "stacks", "banks", "islands", "pods"];
 const LINES: [&str; 4] = ["rows", "lines", "columns", "aisles"];
+const GROUPS: [&str; 4] = ["groups", "clusters", "islands", "pods"];
 
 impl Scan<'_> {
     /// Reads the number. The tokens of the phrase where it ends here: "two of them".
@@ -36,11 +39,20 @@ impl Scan<'_> {
         }
         // "three rows of four desks", "two groups of six chairs"
         let gathered = GATHERED.contains(&self.text(from + k)) && self.text(from + k + 1) == "of";
+        // "In two islands of three" says nothing of what.
+        let goes_on = |t: &Token| {
+            t.word() && !t.is("with") && !t.is("and") && self.lexicon.relation(std::slice::from_ref(t)).is_none()
+        };
         if let (true, Some((each, more))) = (gathered, number::count(self.from(from + k + 2)))
             && n.fract() == 0.0
             && each.fract() == 0.0
+            && self.rest.get(from + k + 2 + more).is_some_and(goes_on)
         {
-            self.np.rows = LINES.contains(&self.text(from + k)).then_some(n as usize);
+            self.np.pattern = match self.text(from + k) {
+                lines if LINES.contains(&lines) => Some(Pattern::Rows(Some(n as usize))),
+                groups if GROUPS.contains(&groups) && each > 1.0 => Some(Pattern::Groups(n as usize)),
+                _ => None,
+            };
             return self.take_number(n * each, from + k + 2 + more);
         }
         // "six rows of racks": how many there are in each is not said.
@@ -50,7 +62,7 @@ impl Scan<'_> {
             && (2.0..=50.0).contains(&n)
             && self.rest.get(from + k + 2).is_some_and(Token::word)
         {
-            self.np.rows = Some(n as usize);
+            self.np.pattern = Some(Pattern::Rows(Some(n as usize)));
             self.np.many = true;
             self.used = from + k + 2;
             return None;
