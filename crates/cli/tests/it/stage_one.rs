@@ -102,7 +102,10 @@ fn what_does_not_fit_on_the_floor_is_said_before_any_layout_is_looked_for() {
     let asked = "a 3 x 3 m room with 20 beds";
     let ended = scenelang(folder.path(), &["formalize", asked, "-o", "room.scene"]);
     assert_eq!(ended.code, 0, "{ended:?}");
-    assert!(ended.stderr.contains("the floor of `bedroom` has 9.0 m²") && ended.stderr.contains("20 × bed"), "{ended:?}");
+    assert!(
+        ended.stderr.contains("the floor of `bedroom` has 9.0 m²") && ended.stderr.contains("20 × bed"),
+        "{ended:?}"
+    );
     assert!(folder.path().join("room.scene").is_file());
     let ended = scenelang(folder.path(), &["synth", asked, "-o", "out", "--format", "json"]);
     assert_eq!(ended.code, 1, "{ended:?}");

@@ -116,7 +116,9 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         let thing = &plan.draft.things[at];
         let is_table = stand::group(&thing.category) == Group::Table;
         let is_round = stand::round(&thing.category, &thing.look.features);
-        let (Some(size), true) = (thing.size, is_table && !is_round && !sized && thing.count == 1) else { continue };
+        let is_oval = is_round && thing.size.is_some_and(|[w, _, d]| w > d);
+        let fits = is_table && (!is_round || is_oval) && !sized && thing.count == 1;
+        let (Some(size), true) = (thing.size, fits) else { continue };
         let seats = plan.companions(at).into_iter().map(|seat| plan.draft.things[seat].clone());
         let seats = seats.filter(|seat| stand::group(&seat.category) == Group::Seat);
         let Some((own, n)) = seats.filter_map(|seat| Some((seat.size?, seat.count))).max_by_key(|(_, n)| *n) else {
@@ -138,6 +140,7 @@ pub fn lengthened(plan: &mut Plan, brief: &Brief) {
         }
         let (room_for, needed) = match in_row {
             true => (slots::in_row(size[0], own[0]), slots::row(n, own[0])),
+            false if is_oval => (slots::capacity(size, own, true), slots::oval(n, own[0], size[2])),
             false => {
                 let at_ends =
                     if parts.iter().any(|part| matches!(part.at, groups::Where::LongSides(..))) { 0 } else { 2 };

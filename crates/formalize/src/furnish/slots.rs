@@ -244,6 +244,11 @@ fn directions(n: usize, a: f64, b: f64) -> Vec<f64> {
     out
 }
 
+/// How long an oval table of a depth is that so many seats of a width have room at.
+pub fn oval(n: usize, seat: f64, depth: f64) -> f64 {
+    2.0 * n as f64 * (seat + ELBOW) / std::f64::consts::PI - depth
+}
+
 /// Seats equally far from each other around a round or an oval table, turned to its edge.
 fn circle(n: usize, gap: f64, sizes: &Sizes) -> Vec<Slot> {
     let ([width, _, depth], [.., d]) = (sizes.of, sizes.own);

@@ -1,7 +1,7 @@
 //! What is said behind a noun and belongs before it: "a fridge, which is tall", "twelve chairs, all brown except one", "chairs,
 //! at least three of them", "a hall, 20 metres on each side".
 
-use super::lexicon::{get, singular};
+use super::lexicon::{Class, get, singular};
 use super::number;
 use super::paraphrase::{ends, put, word};
 use super::shares::{counted, noun};
@@ -10,7 +10,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 18] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 25] = [
         which_is,
         all_but,
         so_many_of_them,
@@ -24,7 +24,14 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         aisles,
         wide_aisles,
         only_so_large,
-        opposite_last,
+        only_by,
+        moved_ahead,
+        same_unit,
+        same_bath,
+        students,
+        in_a_game,
+        hotel_double,
+        kitchen_counters,
         at_the_till,
         connected_rooms,
         connected_by,
@@ -265,25 +272,149 @@ fn only_so_large(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A bed along the wall, a desk with two monitors opposite": the desk is opposite the bed.
-fn opposite_last(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if word(tokens, i) != "opposite" || !ends(tokens, i + 1) {
+/// "A bedroom only 3 by 3 metres".
+fn only_by(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let number = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let by = matches!(word(tokens, i + 2), "by" | "x" | "×") || tokens.get(i + 2).is_some_and(|t| t.is("×"));
+    if !matches!(word(tokens, i), "only" | "just") || i == 0 || !number(i + 1) || !by || !number(i + 3) {
+        return false;
+    }
+    let mut size = tokens[i + 1].clone();
+    size.at.start = tokens[i].at.start;
+    tokens.splice(i..i + 2, [size]);
+    true
+}
+
+/// "A bed along the wall, a desk with two monitors opposite": the desk is opposite the bed. "A bed, nightstands with lamps either
+/// side": on either side of the bed.
+fn moved_ahead(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let (used, words) = match (word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)) {
+        ("opposite", ..) if ends(tokens, i + 1) => (1, &["opposite", "the"][..]),
+        ("either", "side", _) | ("both", "sides", _) if ends(tokens, i + 2) => {
+            (2, &["on", "either", "side", "of", "the"][..])
+        }
+        _ => return false,
+    };
+    // "On either side" is read where it is.
+    if i == 0 || matches!(word(tokens, i - 1), "on" | "at" | "from" | "along" | "to") {
         return false;
     }
     let comma = |end: usize| tokens[..end].iter().rposition(|t| t.is(","));
     let Some(last) = comma(i) else { return false };
-    let Some(with) = (last + 1..i).find(|k| word(tokens, *k) == "with").filter(|with| with + 1 < i) else {
-        return false;
-    };
+    let with = (last + 1..i).find(|k| word(tokens, *k) == "with").filter(|with| with + 1 < i);
     let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ',' | ';' | ':'));
     let start = tokens[..last].iter().rposition(stops).map_or(0, |k| k + 1);
     let start = start + usize::from(matches!(word(tokens, start), "a" | "an" | "the"));
-    let Some(name) = noun(tokens, start).filter(|name| name.end <= last) else { return false };
-    let mut said = vec![tokens.remove(i)];
-    let like = said[0].clone();
-    said.push(Token { text: "the".to_owned(), ..like });
+    let name = noun(tokens, start).filter(|name| name.end <= last);
+    if name.is_none() && used == 2 && with.is_none() {
+        // "A kitchen, 2 m wide, counters both sides": of the room.
+        put(tokens, i, i + 2, &["along", "both", "long", "walls"]);
+        return true;
+    }
+    let (Some(name), Some(with)) = (name, with.or_else(|| (used == 2).then_some(i))) else { return false };
+    let like = Token { at: tokens[i].at.start..tokens[i + used - 1].at.end, ..tokens[i].clone() };
+    let mut said: Vec<Token> = words.iter().map(|text| Token { text: (*text).to_owned(), ..like.clone() }).collect();
     said.push(tokens[name.end - 1].clone());
+    tokens.drain(i..i + used);
     tokens.splice(with..with, said);
+    true
+}
+
+/// "2 metres wide and 4 long": 4 metres long.
+fn same_unit(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let dim = |k: usize| matches!(word(tokens, k), "long" | "wide" | "deep" | "high");
+    let number = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let joined = i > 3 && word(tokens, i - 1) == "and" && dim(i - 2);
+    let unit = joined && number::unit(word(tokens, i - 3)).is_some() && number(i - 4);
+    if !unit || !number(i) || !dim(i + 1) {
+        return false;
+    }
+    let unit = tokens[i - 3].text.clone();
+    let same = Token { text: unit, ..tokens[i + 1].clone() };
+    tokens.insert(i + 1, same);
+    true
+}
+
+/// "A tub under the window and a towel rail by the bath": the bath is the tub.
+fn same_bath(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const NAMES: [&str; 3] = ["tub", "bathtub", "bath"];
+    let name = word(tokens, i + 1);
+    if word(tokens, i) != "the" || !NAMES.contains(&name) {
+        return false;
+    }
+    let named = |t: &Token| NAMES.iter().any(|name| t.is(name));
+    let Some(first) = tokens[..i].iter().find(|t| named(t)).map(|t| t.text.clone()).filter(|first| first != name)
+    else {
+        return false;
+    };
+    put(tokens, i + 1, i + 2, &[&first]);
+    true
+}
+
+/// "16 university students": 16 students.
+fn students(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let number = tokens.get(i).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let of = matches!(word(tokens, i + 1), "university" | "college" | "school" | "office" | "primary");
+    if !number || !of || !get().is(word(tokens, i + 2), Class::Person) {
+        return false;
+    }
+    let who = tokens[i + 2].text.clone();
+    put(tokens, i + 1, i + 3, &[&who]);
+    true
+}
+
+/// "A standard hotel double": a hotel room.
+fn hotel_double(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "hotel" && matches!(word(tokens, i + 1), "double" | "twin" | "single" | "suite");
+    if said && (ends(tokens, i + 2) || word(tokens, i + 2) == "with") {
+        put(tokens, i + 1, i + 2, &["room"]);
+        return true;
+    }
+    false
+}
+
+/// "A galley kitchen with counters": kitchen counters, unless guests are served there.
+fn kitchen_counters(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SERVED: [&str; 12] = [
+        "cafe",
+        "café",
+        "restaurant",
+        "shop",
+        "bar",
+        "store",
+        "reception",
+        "till",
+        "customers",
+        "canteen",
+        "customer",
+        "breakfast",
+    ];
+    let is = |t: &Token, names: &[&str]| names.iter().any(|name| t.is(name));
+    let is_kitchen = tokens.iter().any(|t| is(t, &["kitchen", "kitchenette"]));
+    let bare = i == 0 || !get().is_look(word(tokens, i - 1)) && get().noun(word(tokens, i - 1)).is_none();
+    let named = i > 0 && (tokens[i - 1].is("kitchen") || tokens[i - 1].is("the"));
+    let known = tokens[..i].iter().any(|t| is(t, &["counter", "counters", "countertop"]));
+    let said = matches!(word(tokens, i), "counter" | "counters") && is_kitchen && bare && !named && !known;
+    if !said || tokens.iter().any(|t| is(t, &SERVED)) {
+        return false;
+    }
+    let name = tokens[i].text.clone();
+    put(tokens, i, i + 1, &["kitchen", &name]);
+    true
+}
+
+/// "For a horror game level": for playing, not with a game in the room.
+fn in_a_game(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const ADJECTIVES: usize = 3;
+    if word(tokens, i) != "for" || !matches!(word(tokens, i + 1), "a" | "an" | "my" | "our" | "the") {
+        return false;
+    }
+    let Some(game) = (i + 2..i + 2 + ADJECTIVES).find(|k| word(tokens, *k) == "game") else { return false };
+    let end = game + 1 + usize::from(matches!(word(tokens, game + 1), "level" | "scene" | "map" | "environment"));
+    if matches!(word(tokens, game - 1), "board" | "card" | "video") && end == game + 1 || !ends(tokens, end) {
+        return false;
+    }
+    put(tokens, i + 1, end, &["playing"]);
     true
 }
 
@@ -470,6 +601,24 @@ mod tests {
                 "a bed along the right wall, gaming desk with two monitors opposite, beanbag.",
                 "a bed along the right wall , gaming desk opposite the bed with two monitors , beanbag .",
             ),
+            ("a bedroom only 3 by 3 metres with a bed.", "a bedroom 3 by 3 metres with a bed ."),
+            (
+                "a queen bed facing the window, matching nightstands with lamps either side.",
+                "a queen bed facing the window , matching nightstands on either side of the bed with lamps .",
+            ),
+            ("a bed, nightstands either side, a rug.", "a bed , nightstands on either side of the bed , a rug ."),
+            ("a bed with lamps on either side.", "a bed with lamps on either side ."),
+            (
+                "a kitchen, 2 metres wide and 4 long, counters both sides.",
+                "a kitchen , 2 metres wide and 4 metres long , kitchen counters along both long walls .",
+            ),
+            ("a tub and a towel rail near the bath.", "a tub and a towel rail near the tub ."),
+            ("a standard hotel double, 22 square metres.", "a standard hotel room , 22 square metres ."),
+            ("a kitchen with counters and a sink.", "a kitchen with kitchen counters and a sink ."),
+            ("a cafe with a kitchen and a counter.", "a cafe with a kitchen and a counter ."),
+            ("a lab for 16 university students.", "a lab for 16 students ."),
+            ("a lab for a horror game level, two benches.", "a lab for playing , two benches ."),
+            ("a shelf for a board game.", "a shelf for a board game ."),
             ("a bed, a desk opposite.", "a bed , a desk opposite it ."),
             ("two desks connected by a door.", "two desks connected by a door ."),
             ("an office with two connected desks.", "an office with two connected desks ."),

@@ -5,7 +5,7 @@ use super::lexicon::singular;
 use super::measure::measure;
 use super::number;
 use super::paraphrase::{ends, put, word};
-use super::token::Token;
+use super::token::{Token, WordKind};
 use crate::brief::{Op, Pattern};
 
 /// Words between what opens and how far.
@@ -35,7 +35,60 @@ pub fn by(rest: &[Token]) -> Option<(Pattern, usize)> {
 
 /// What is said of the doors of a thing is said of the thing; that it opens is no look of it, least of all where it need not.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    doors_of(tokens, i) || its_door(tokens, i) || opens(tokens, i)
+    room_to_open(tokens, i) || whose(tokens, i) || doors_of(tokens, i) || its_door(tokens, i) || opens(tokens, i)
+}
+
+/// "…, and leave enough space to open the wardrobe doors all the way": the wardrobe opens fully.
+fn room_to_open(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const AMOUNT: usize = 4;
+    if !matches!(word(tokens, i), "leave" | "leaving" | "keep" | "with" | "have") {
+        return false;
+    }
+    let Some(space) = (i + 1..i + AMOUNT).find(|k| matches!(word(tokens, *k), "space" | "room")) else { return false };
+    let opens = matches!((word(tokens, space + 1), word(tokens, space + 2)), ("to", "open") | ("for", "opening"));
+    let the = space + 3;
+    if !opens || !matches!(word(tokens, the), "the" | "its" | "all") {
+        return false;
+    }
+    let what = (the + 1..the + 1 + NAME).find(|k| crate::brief::opens(&singular(word(tokens, *k))));
+    let Some(what) = what else { return false };
+    let part = usize::from(matches!(word(tokens, what + 1), "door" | "doors" | "drawer" | "drawers"));
+    let wide = match (word(tokens, what + 1 + part), word(tokens, what + 2 + part), word(tokens, what + 3 + part)) {
+        ("all", "the", "way") => 3,
+        ("fully" | "completely" | "properly" | "wide", ..) => 1,
+        _ => 0,
+    };
+    let end = what + 1 + part + wide;
+    if !ends(tokens, end) {
+        return false;
+    }
+    let whole = tokens[i].at.start..tokens[end - 1].at.end;
+    let name: Vec<String> = tokens[the + 1..=what].iter().map(|t| t.text.clone()).collect();
+    let mut said = vec!["the"];
+    said.extend(name.iter().map(String::as_str));
+    said.extend([if singular(&name[name.len() - 1]) == name[name.len() - 1] { "opens" } else { "open" }, "fully"]);
+    put(tokens, i, end, &said);
+    tokens[i..i + said.len()].iter_mut().for_each(|token| token.at = whole.clone());
+    // It is a sentence of its own.
+    let and = usize::from(i > 0 && tokens[i - 1].is("and"));
+    let comma = i > and && tokens[i - 1 - and].is(",");
+    if and == 1 || comma {
+        let from = i - and - usize::from(comma);
+        (tokens[from].text, tokens[from].kind) = (".".to_owned(), WordKind::Sign('.'));
+        tokens.drain(from + 1..i);
+    }
+    true
+}
+
+/// "A wardrobe whose doors can open fully".
+fn whose(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let part = matches!(word(tokens, i + 1), "door" | "doors" | "drawer" | "drawers" | "lid");
+    let owner = i > 0 && crate::brief::opens(&singular(word(tokens, i - 1)));
+    let said = word(tokens, i) == "whose" && part && owner && verb_follows(tokens, i + 2);
+    if said {
+        put(tokens, i, i + 2, &["which"]);
+    }
+    said
 }
 
 /// Whether a verb of opening follows within a few words of the same sentence.
@@ -102,6 +155,13 @@ mod tests {
     fn what_is_said_of_doors_is_said_of_what_has_them() {
         for (said, becomes) in [
             ("the doors of the wardrobe can be opened by 90 degrees.", "the wardrobe can be opened by 90 degrees ."),
+            (
+                "a bed, and leave enough space to open the wardrobe doors all the way.",
+                "a bed . the wardrobe opens fully .",
+            ),
+            ("a bed. leave room to open the fridge door.", "a bed . the fridge opens fully ."),
+            ("leave room to open the classroom door.", "leave room to open the classroom door ."),
+            ("a wardrobe whose doors can open by 90 degrees.", "a wardrobe which can open by 90 degrees ."),
             ("the fridge door must open.", "the fridge must opens fully ."),
             ("the wardrobe does not need to open.", "the wardrobe does not need to operate ."),
             ("the kitchen door must open outwards.", "the kitchen door must open outwards ."),

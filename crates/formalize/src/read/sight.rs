@@ -49,6 +49,9 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// Sentences, and the words that they take the place of.
 type Found = (Vec<String>, Range<usize>);
 
+/// What everybody is to see is a preference: over the heads of others nobody sees the middle of a board.
+const IDEALLY: &str = "ideally ";
+
 /// "A chair, and both beds visible from the door": the beds, in a sentence of their own.
 fn in_list(tokens: &mut Vec<Token>, i: usize) -> bool {
     let comma = tokens[i].is(",");
@@ -199,8 +202,9 @@ fn seen_by(tokens: &[Token], i: usize) -> Option<Found> {
     if tokens.get(end).is_some_and(|t| t.word() && !matches!(word(tokens, end), "and" | "with" | "but")) {
         return None;
     }
-    let said = what.iter().filter(|what| **what != from).map(|what| visible(what, &from)).collect();
-    Some((said, i - placed..end))
+    let softly = if everybody { IDEALLY } else { "" };
+    let said = what.iter().filter(|what| **what != from).map(|what| format!("{softly}{}", visible(what, &from)));
+    Some((said.collect(), i - placed..end))
 }
 
 /// "A desk you see as soon as you walk in": visible from the door.
@@ -249,7 +253,7 @@ mod tests {
         for (text, becomes) in [
             (
                 "24 desks, a whiteboard at the front that every child can see, a rug.",
-                "24 desks , a whiteboard at the front , a rug . the whiteboard is visible from every desk .",
+                "24 desks , a whiteboard at the front , a rug . ideally the whiteboard is visible from every desk .",
             ),
             (
                 "a living room where you can see the fireplace and the tv from the sofa, warm leather.",
@@ -263,7 +267,10 @@ mod tests {
                 "a reception desk you see as soon as you walk in, a plant.",
                 "a reception desk , a plant . the desk is visible from the door .",
             ),
-            ("a screen which everyone can see from their seat.", "a screen . the screen is visible from every chair ."),
+            (
+                "a screen which everyone can see from their seat.",
+                "a screen . ideally the screen is visible from every chair .",
+            ),
             ("a toilet hidden from the door.", "a toilet . the toilet is not visible from the door ."),
             (
                 "a toilet hidden from the door if possible, a sink.",

@@ -76,6 +76,7 @@ impl Reader<'_> {
     /// to this room. `first`: the first thing of the sentence. Where more is said of the things, "only" may belong to that
     /// ("only a bed near the window"), and in a home of several rooms nothing says which it is said of: it stays a note.
     pub(super) fn nothing_else(&mut self, from: usize, end: usize, first: usize) {
+        self.and_nothing_else(from, end);
         let Some(only) = (from + 1..end).find(|i| self.tokens[self.chunks[*i].at.start].is("only")) else { return };
         let is_room = |i: usize| self.np(i, end).is_some_and(|np| np.kind == NounKind::Room);
         let said_of_room = match self.chunks[only - 1].piece {
@@ -92,6 +93,19 @@ impl Reader<'_> {
         if said_of_room && word && furniture && together && !home && !self.s.soft && self.lists(only + 1, end) {
             self.brief.rooms[room].only = true;
             self.mark(only);
+        }
+    }
+
+    /// "A gallery with seven paintings and a bench, nothing else": of the only room.
+    fn and_nothing_else(&mut self, from: usize, end: usize) {
+        let nothing = |i: &usize| self.word_at(*i, 0) == "nothing" && self.word_at(*i, 1) == "else";
+        let Some(at) = (from..end).find(nothing) else { return };
+        let last = self.chunks[at].at.start + 2;
+        let ends = self.tokens.get(last).is_none_or(|t| !t.word());
+        let [room] = &mut self.brief.rooms[..] else { return };
+        if ends && !crate::read::several::is_home(&room.name) {
+            room.only = true;
+            self.used[last - 2..last].fill(true);
         }
     }
 

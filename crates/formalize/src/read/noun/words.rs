@@ -69,7 +69,7 @@ impl Scan<'_> {
 
     /// Whether a size is read.
     fn measured(&mut self) -> bool {
-        let Some((m, n)) = measure(self.from(self.used)).filter(|(m, _)| m.plain()) else { return false };
+        let Some((m, n)) = measure(self.from(self.used)).filter(|(m, _)| m.plain() && !m.area) else { return false };
         let tokens = &self.rest[self.used..self.used + n];
         self.inches = self.inches.take().or_else(|| in_inches(&m, tokens));
         add_dims(&mut self.np.dims, &m.values, &m.dims);
