@@ -85,42 +85,33 @@ impl Clusters {
         of_line(0).chain(of_line(1)).map(|place| place.map(|v| (v * 1000.0).round() / 1000.0)).collect()
     }
 
-    /// The formula that puts an array there.
+    /// The formula that puts an array there: for each line, full rows of groups, and the rest of them.
     pub fn formula(&self, of: &str) -> String {
         let number = crate::write::number;
-        let [x, z] = self.apart.map(number);
+        let [x, z] = self.apart;
         let (full, rest) = (self.groups / self.across, self.groups % self.across);
         let mut parts = Vec::new();
         for (line, each) in self.lines.into_iter().enumerate().filter(|(_, each)| *each > 0) {
-            let begin = if line == 0 { 0 } else { self.firsts() };
-            let mut rows = |row: &str, loops: String, before: String| {
-                let mut index: Vec<String> = Vec::new();
-                if begin > 0 {
-                    index.push(begin.to_string());
-                }
-                index.push(before);
-                index.push(format!("{each} * c + i"));
-                let at = format!(
-                    "{of}[{}]",
-                    index.iter().filter(|t| !t.is_empty()).cloned().collect::<Vec<_>>().join(" + ")
-                );
-                let back = if line == 0 { String::new() } else { format!(" - {}", number(self.steps[1])) };
-                let down = if row == "0" { String::new() } else { format!(" - {row} * {z}") };
+            let begin = line * self.firsts();
+            let mut rows = |loops: &str, groups: usize, first: usize, row: &str, behind: f64| {
+                let first = if first > 0 { format!("{first} + ") } else { String::new() };
+                let at = format!("{of}[{first}{row}{each} * c + i]");
+                let down = if row.is_empty() { String::new() } else { format!(" - r * {}", number(z)) };
+                let behind = behind + line as f64 * self.steps[1];
+                let behind = if behind > 0.0 { format!(" - {}", number(behind)) } else { String::new() };
                 parts.push(format!(
-                    "({loops}forall i in 0..{each}: {at}.pos.x = {of}[0].pos.x + c * {x} + i * {} and {at}.pos.z = {of}[0].pos.z{down}{back})",
+                    "({loops}forall c in 0..{groups}: forall i in 0..{each}: {at}.pos.x = {of}[0].pos.x + c * {} + i * {} and {at}.pos.z = {of}[0].pos.z{down}{behind})",
+                    number(x),
                     number(self.steps[0])
                 ));
             };
+            let in_row = each * self.across;
             match full {
-                1 => rows("0", format!("forall c in 0..{}: ", self.across), String::new()),
-                _ => rows(
-                    "r",
-                    format!("forall r in 0..{full}: forall c in 0..{}: ", self.across),
-                    format!("{} * r", each * self.across),
-                ),
+                1 => rows("", self.across, begin, "", 0.0),
+                _ => rows(&format!("forall r in 0..{full}: "), self.across, begin, &format!("{in_row} * r + "), 0.0),
             }
             if rest > 0 {
-                rows(&full.to_string(), format!("forall c in 0..{rest}: "), (each * self.across * full).to_string());
+                rows("", rest, begin + in_row * full, "", full as f64 * z);
             }
         }
         parts.join(" and ")

@@ -43,19 +43,10 @@ impl Packing<'_> {
             }
             let mut why: Vec<EventId> = vec![lower(state, between.length)];
             for i in pair {
-                let member = &group.members[i];
-                why.extend(known_of(state, member));
-                why.extend(member.turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
-                why.extend(
-                    member
-                        .core
-                        .iter()
-                        .flat_map(|core| [core.bottom, core.top])
-                        .flat_map(|t| [lower(state, t), upper(state, t)]),
-                );
-                why.extend(self.placing(problem, (index, i)).reasons(state));
+                let heights = group.members[i].core.iter().flat_map(|core| [core.bottom, core.top]);
+                why.extend(heights.flat_map(|t| [lower(state, t), upper(state, t)]));
+                why.extend(self.placed(problem, (index, i), state));
             }
-            why.extend([upper(state, group.size[0]), upper(state, group.size[2])]);
             let [a, b] = pair.map(|i| self.name(group, i));
             let [w, d] = floor.map(short);
             self.say(format!(
@@ -125,13 +116,20 @@ impl Packing<'_> {
             if !self.covers(problem, (index, i), floor, &kind, &probes::Points::new(), state) {
                 continue;
             }
-            let mut why: Vec<EventId> = known_of(state, member).collect();
-            why.extend(member.turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
-            why.extend(self.placing(problem, (index, i)).reasons(state));
-            why.extend([upper(state, group.size[0]), upper(state, group.size[2])]);
+            let why = self.placed(problem, (index, i), state);
             self.unsaid();
             return Err(Conflict(state.event(EventKind::Conflict(Rule::Packing), &why)));
         }
         Ok(())
+    }
+
+    /// What it rests on where a member stands in its region.
+    fn placed(&self, problem: &Problem, (index, i): (usize, usize), state: &State) -> Vec<EventId> {
+        let (group, member) = (&self.groups[index], &self.groups[index].members[i]);
+        let mut why: Vec<EventId> = known_of(state, member).collect();
+        why.extend(member.turn.iter().flat_map(|t| [lower(state, *t), upper(state, *t)]));
+        why.extend(self.placing(problem, (index, i)).reasons(state));
+        why.extend([upper(state, group.size[0]), upper(state, group.size[2])]);
+        why
     }
 }

@@ -162,9 +162,8 @@ impl Reader<'_> {
     /// "12 cm clearance underneath": a space that no statement speaks of.
     pub(super) fn free_beneath(&self, i: usize) -> bool {
         let space = matches!(self.word_at(i, 0), "clearance" | "space" | "room" | "gap");
-        let to = usize::from(space);
-        let beneath = |n: usize| matches!(self.word_at(i, n), "underneath" | "beneath" | "below" | "under");
-        let ends = |n: usize| self.ends_at(i, n) || matches!(self.word_at(i, n), "it" | "them" | "so" | "for" | "and");
-        space && beneath(to) && ends(to + 1)
+        let beneath = matches!(self.word_at(i, 1), "underneath" | "beneath" | "below" | "under");
+        let ends = self.ends_at(i, 2) || matches!(self.word_at(i, 2), "it" | "them" | "so" | "for" | "and");
+        space && beneath && ends
     }
 }
