@@ -100,7 +100,7 @@ pub fn plain_room(brief: &mut Brief) {
         let is_it = |name: &str| name.strip_suffix(noun).is_some_and(|rest| rest.is_empty() || rest.ends_with(' '));
         brief.things.iter().any(|thing| thing.part.is_none() && is_it(&thing.words.join(" ")))
     };
-    if let Some((kind, _)) = TELLING.iter().filter(|_| is_plain).find(|(_, nouns)| nouns.iter().any(|noun| has(noun))) {
+    if let Some((kind, _)) = TELLING.iter().filter(|_| is_plain).find(|(_, nouns)| nouns.iter().any(&has)) {
         (*kind).clone_into(&mut brief.rooms[0].name);
     }
 }
