@@ -325,6 +325,7 @@ pub(crate) const FAMILIES: &[(&str, Maker)] = &[
     ("racket", sports::racket),
     ("record", rolls::record),
     ("roll", rolls::roll),
+    ("chain", rolls::chain),
     ("rope", rolls::rope),
     ("sack", curios::sack),
     ("safe", curios::safe),

@@ -190,6 +190,26 @@ pub(super) fn rope(a: &Ask) -> BuiltModel {
     })
 }
 
+/// A chain that hangs from its wall: links, every second one turned, and a ring for a wrist at the end.
+pub(super) fn chain(a: &Ask) -> BuiltModel {
+    const LINKS: usize = 7;
+    let iron = a.main(Stuff(Finish::Metal, 0x55585c));
+    small(a, |mesh| {
+        let step = 1.4 / LINKS as f64;
+        for k in 0..LINKS {
+            let top = 1.0 - step * k as f64;
+            let wide = if k % 2 == 0 { 0.45 } else { 0.14 };
+            let ring = [at(-wide, top - 0.05, 0.0), at(-wide, top - step * 1.1, 0.0)];
+            mesh.tube(&ring, 0.1, &iron);
+            mesh.tube(&ring.map(|p| at(-p.x, p.y, 0.0)), 0.1, &iron);
+            mesh.tube(&[at(-wide, top - 0.05, 0.0), at(wide, top - 0.05, 0.0)], 0.1, &iron);
+        }
+        let ring = |angle: f64| at(0.9 * angle.cos(), -0.7 + 0.28 * angle.sin(), 0.0);
+        let round: Vec<_> = (0..=12).map(|k| ring(TAU * f64::from(k) / 12.0)).collect();
+        mesh.tube(&round, 0.1, &shade(&iron, 0.9));
+    })
+}
+
 /// Long thin things: sticks, poles, pipes, planks, nails, crayons.
 pub(super) fn pipe(a: &Ask) -> BuiltModel {
     let says = |words: &[&str]| a.says(words);

@@ -405,12 +405,12 @@ pub(super) fn revolving_door(a: &Ask) -> BuiltModel {
     })
 }
 
-/// Lines on the floor: the bay of a car, the fields of hopscotch, a strip of stripes.
+/// Lines on the floor: the bay of a car, the fields of hopscotch, the corners of an area that stays free, a strip of stripes.
 pub(super) fn floor_marking(a: &Ask) -> BuiltModel {
     let mut m = BuiltModel::default();
     let b = a.whole();
     m.solid(b);
-    let paint = a.main(Stuff(Finish::Paint, if a.says(&["parking"]) { 0xf1f0ec } else { 0xf0c020 }));
+    let paint = a.main(Stuff(Finish::Paint, if a.says(&["parking", "free"]) { 0xf1f0ec } else { 0xf0c020 }));
     let line = |m: &mut BuiltModel, x: [f64; 2], z: [f64; 2]| {
         m.mesh.crisp(b.share(1.0 - x[1]..1.0 - x[0], 0.0..1.0, z[0]..z[1]), &paint)
     };
@@ -425,6 +425,17 @@ pub(super) fn floor_marking(a: &Ask) -> BuiltModel {
             ([0.54, 0.6], [0.445, 0.52]),
         ] {
             line(&mut m, x, z);
+        }
+    } else if a.says(&["free"]) {
+        // An angle at each corner, as long on all sides and as wide as tape.
+        let (w, d) = (b.size().x, b.size().z);
+        let (long, tape) = (0.18 * w.min(d), 0.05_f64.min(0.1 * w.min(d)));
+        for left in [true, false] {
+            let share = |from: f64, to: f64| if left { [from / w, to / w] } else { [1.0 - to / w, 1.0 - from / w] };
+            for (near, far) in [([0.0, tape], [tape, long]), ([d - tape, d], [d - long, d - tape])] {
+                line(&mut m, share(0.0, long), near.map(|z| z / d));
+                line(&mut m, share(0.0, tape), far.map(|z| z / d));
+            }
         }
     } else if a.says(&["hopscotch"]) {
         let mut at = 0.0;

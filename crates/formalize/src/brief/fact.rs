@@ -185,6 +185,8 @@ pub enum Pattern {
     /// In so many groups.
     Groups(usize),
     Circle,
+    /// In half a circle.
+    Arc,
     /// Beside each other.
     SideBySide,
     BackToBack,

@@ -176,19 +176,24 @@ fn crowded(brief: &Brief, a: usize) -> bool {
     })
 }
 
-/// Where the seats of a table or desk are: from its middle, as shares of half its width and depth, and how they are
-/// turned. The front of a table is +z.
-pub fn seats(each: usize, at_front: bool) -> &'static [([f64; 2], f64)] {
-    const FRONT: &[([f64; 2], f64)] = &[([0.0, 1.0], 180.0)];
-    const BEHIND: &[([f64; 2], f64)] = &[([0.0, -1.0], 0.0)];
-    const TWO: &[([f64; 2], f64)] = &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0)];
-    const FOUR: &[([f64; 2], f64)] =
-        &[([-1.0, 0.0], 90.0), ([1.0, 0.0], -90.0), ([0.0, 1.0], 180.0), ([0.0, -1.0], 0.0)];
-    match (each, at_front) {
-        (1, true) => FRONT,
-        (1, false) => BEHIND,
-        (2, _) => TWO,
-        (3 | 4, _) => FOUR,
-        _ => &[],
+/// Where the seats of a table or desk of this width and depth are: from its middle, and how they are turned. The front of a table
+/// is +z.
+pub fn seats(each: usize, rel: Rel, [w, d]: [f64; 2], seat: f64) -> Vec<([f64; 2], f64)> {
+    let away = |half: f64| half + seat / 2.0 + 0.1;
+    let (x, z) = (away(w / 2.0), away(d / 2.0));
+    let along = |j: usize, of: usize| ((2 * j + 1) as f64 / of as f64 - 1.0) * w / 2.0;
+    let is_long = w >= 1.5 * d;
+    match (each, rel) {
+        (1, Rel::Behind) => vec![([0.0, -z], 0.0)],
+        (1, _) => vec![([0.0, z], 180.0)],
+        // All on one side.
+        (3.., Rel::InFrontOf) => (0..each).map(|j| ([along(j, each), z], 180.0)).collect(),
+        (3.., Rel::Behind) => (0..each).map(|j| ([along(j, each), -z], 0.0)).collect(),
+        (2, _) => vec![([-x, 0.0], 90.0), ([x, 0.0], -90.0)],
+        (4, _) if is_long => {
+            (0..4).map(|j| ([along(j % 2, 2), if j < 2 { z } else { -z }], if j < 2 { 180.0 } else { 0.0 })).collect()
+        }
+        (3 | 4, _) => vec![([-x, 0.0], 90.0), ([x, 0.0], -90.0), ([0.0, z], 180.0), ([0.0, -z], 0.0)],
+        _ => Vec::new(),
     }
 }

@@ -7,7 +7,7 @@ use super::kinds::{Count, FurnishingKind, Line};
 use super::plan::{AtWall, Plan, for_people, why};
 use super::slots::{self, CORNER_TABLE, Sizes, Slot, Taken, slots};
 use super::stand::{self, counts_as};
-use super::{FENCED, daylight};
+use super::{FENCED, daylight, units};
 use crate::brief::Group;
 use crate::draft::{Demand, Draft, DraftThing, Statement, ThingOrigin};
 use crate::names::{mentions, words};
@@ -170,7 +170,8 @@ impl Plan<'_> {
         let is_fixed = |s: &Statement| !daylight::is_moving_window(self, s);
         let name = &self.draft.things[at].name;
         let says = |s: &Statement| {
-            is_fixed(s) && !carries(&s.text, name) && !is_any_of(&s.text, name) && !self.is_within(noun, &s.text)
+            let any = is_any_of(&s.text, name) || units::is_in_run(&s.text, name);
+            is_fixed(s) && !any && !carries(&s.text, name) && !self.is_within(noun, &s.text)
         };
         stand::placed_where(self.draft, name, other, &says)
     }

@@ -40,6 +40,7 @@ mod taste;
 mod tell;
 mod tops;
 mod twin;
+mod units;
 mod whom;
 
 use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Place, Rel, Thing};
@@ -173,10 +174,11 @@ pub fn refine(brief: &mut Brief) {
             // "A cash register on a counter" is no till that stands on the floor.
             (known(noun) && !(rests && stand::group(noun) != Group::Top)).then(|| (*noun).to_owned())
         };
-        // "A double sink" has a name of its own, or one in such a room.
+        // "A double sink" has a name of its own, or one in such a room; a round table of a cafe is one of its tables.
+        let is_shape = |name: &str| name.starts_with("round ") && meant(&plain).is_some();
         let named = |(at, name): (usize, String)| match meant(&name) {
             Some(meant) => Some((at, meant)),
-            None => known(&name).then_some((at, name)),
+            None => (known(&name) && !is_shape(&name)).then_some((at, name)),
         };
         let said = said.enumerate().filter(|_| thing.words.len() == 1).find_map(named);
         // "Glass counters" in a jewellery shop.
@@ -261,7 +263,8 @@ fn worktop(brief: &mut Brief) {
         let thing = &brief.things[at];
         let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
         let is_told = brief.facts.iter().any(|fact| fact.of.contains(&at));
-        if kind.is_some_and(|kind| kind.name == "kitchen") && thing.words == ["counter"] && !is_told {
+        let cooks = kind.is_some_and(|kind| kind.name.ends_with("kitchen") && kind.home.is_some());
+        if cooks && thing.words == ["counter"] && !is_told {
             let thing = &mut brief.things[at];
             thing.words.insert(0, "kitchen".into());
             thing.last = 2;
@@ -626,6 +629,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
 }
 
 fn fill(draft: &mut Draft, brief: &Brief) {
+    units::any_of_run(draft);
     let is_named = |thing: &&DraftThing| !is_among_more(draft, brief, thing);
     let mut closed: Vec<String> =
         draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();

@@ -7,7 +7,84 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    by_corridor(tokens, i) || separate(tokens, i)
+    by_corridor(tokens, i) || separate(tokens, i) || next_to_it(tokens, i) || outside(tokens, i)
+}
+
+/// "Facing the balcony", of a room: facing the door that leads there.
+fn outside(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const OUTSIDE: [&str; 6] = ["balcony", "terrace", "patio", "garden", "veranda", "backyard"];
+    const TO: [&str; 13] = [
+        "to",
+        "facing",
+        "near",
+        "by",
+        "towards",
+        "toward",
+        "at",
+        "beside",
+        "overlooking",
+        "opposite",
+        "face",
+        "faces",
+        "before",
+    ];
+    let said = word(tokens, i) == "the"
+        && OUTSIDE.contains(&word(tokens, i + 1))
+        && i > 0
+        && TO.contains(&word(tokens, i - 1));
+    if !said || !ends(tokens, i + 2) && !matches!(word(tokens, i + 2), "without" | "with") {
+        return false;
+    }
+    let name = tokens[i + 1].text.clone();
+    let named = |k: usize| tokens[k].text == name && k != i + 1;
+    if (0..tokens.len()).any(named) || word(tokens, i - 1) == "to" && leads(tokens, i - 1) {
+        return false;
+    }
+    put(tokens, i + 1, i + 2, &[&name, "door"]);
+    true
+}
+
+/// "A door to the balcony", but "from the door to the balcony".
+fn leads(tokens: &[Token], to: usize) -> bool {
+    to > 0 && word(tokens, to - 1) == "door" && !tokens[to.saturating_sub(4)..to].iter().any(|t| t.is("from"))
+}
+
+/// "A waiting room and a treatment room next to it, connected by a door": rooms of one house are next to each other and have a door
+/// between them.
+fn next_to_it(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = |words: &[&str]| words.iter().enumerate().all(|(k, w)| word(tokens, i + k) == *w);
+    const BESIDE: [&[&str]; 5] = [
+        &["next", "to", "it"],
+        &["beside", "it"],
+        &["next", "door"],
+        &["right", "next", "to", "it"],
+        &["adjacent", "to", "it"],
+    ];
+    let is_room = |n: usize| {
+        let words: Vec<&str> = (i.saturating_sub(n)..i).map(|k| word(tokens, k)).collect();
+        words.len() == n && get().room(&words.join(" ")).is_some() && get().noun(&words.join(" ")).is_none()
+    };
+    let Some(n) = BESIDE.iter().find(|words| said(words)).map(|words| words.len()) else { return false };
+    let Some(named) = (1..=LONGEST).rev().find(|n| is_room(*n)) else { return false };
+    let before = i - named;
+    if before < 2
+        || !matches!(word(tokens, before - 1), "a" | "an")
+        || !(tokens[before - 2].is("and") || tokens[before - 2].is(","))
+    {
+        return false;
+    }
+    let comma = i + n + usize::from(tokens.get(i + n).is_some_and(|t| t.is(",")));
+    let door = match [word(tokens, comma), word(tokens, comma + 1), word(tokens, comma + 2), word(tokens, comma + 3)] {
+        ["connected" | "joined" | "linked", "by" | "with" | "through", "a", "door"] => comma + 4,
+        _ => i + n,
+    };
+    if !ends(tokens, door) {
+        return false;
+    }
+    let at = tokens[i - 1].at.start..tokens[door - 1].at.end;
+    tokens[i - 1].at = at;
+    tokens.drain(i..door);
+    true
 }
 
 /// What a room between others is called, and what is said of it that gives no size.
@@ -106,6 +183,18 @@ mod tests {
                 "a hallway and an office and a lab , with a desk in each",
             ),
             ("a workshop and a separate small storage room for the wood.", "a workshop and a small storage room ."),
+            (
+                "a practice with a waiting room and a treatment room next to it, connected by a door.",
+                "a practice with a waiting room and a treatment room .",
+            ),
+            (
+                "a station with an office and an interview room next door.",
+                "a station with an office and an interview room .",
+            ),
+            ("a bed and a lamp next to it.", "a bed and a lamp next to it ."),
+            ("a sofa facing the balcony.", "a sofa facing the balcony door ."),
+            ("from the door to the balcony without a turn", "from the door to the balcony door without a turn"),
+            ("a door to the balcony", "a door to the balcony"),
             // No rooms, or no corridor.
             ("two tables connected by a cable.", "two tables connected by a cable ."),
             ("two shelves connected by a corridor.", "two shelves connected by a corridor ."),

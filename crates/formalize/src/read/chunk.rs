@@ -85,6 +85,7 @@ fn fixed_phrases() -> &'static Phrases<ChunkPiece> {
             "row" => ChunkPiece::Pattern(Pattern::Row),
             "rows" => ChunkPiece::Pattern(Pattern::Rows(Some(usize::MAX))),
             "circle" => ChunkPiece::Pattern(Pattern::Circle),
+            "arc" => ChunkPiece::Pattern(Pattern::Arc),
             "backToBack" => ChunkPiece::Pattern(Pattern::BackToBack),
             "faceToFace" => ChunkPiece::Pattern(Pattern::FaceToFace),
             "leftToRight" => ChunkPiece::Pattern(Pattern::LeftToRight),

@@ -50,9 +50,27 @@ const SHARED: &str = "three";
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
-        [own_bedroom, one_bedroom, rooms_listed, in_rooms, another_room, whose, lives, own_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
+        [bunk_beds, own_bedroom, one_bedroom, rooms_listed, in_rooms, another_room, whose, lives, own_kitchen];
     turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "A room for two boys with bunk beds": a bunk bed, in which both sleep.
+fn bunk_beds(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "bunk" && word(tokens, i + 1) == "beds";
+    let counted = i > 0 && count(&tokens[i - 1..i]).is_some();
+    let two = |k: usize| {
+        word(tokens, k) == "for"
+            && word(tokens, k + 1) == "two"
+            && (k + 2..k + 5).any(|n| {
+                CHILDREN.contains(&word(tokens, n)) || word(tokens, n) == "kids" || word(tokens, n) == "children"
+            })
+    };
+    if !said || counted || !(0..i).any(two) {
+        return false;
+    }
+    put(tokens, i, i + 2, &["a", "bunk", "bed"]);
+    true
 }
 
 /// "Two bedrooms, one with a double bed and one with a bunk bed", "one bedroom has a desk, the other bedroom has none": the
@@ -166,13 +184,15 @@ fn another_room(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A bed in the bedroom and a couch in the living room", "the bedroom has a bed, and the living room has a couch": a
-/// sentence for each room.
+/// "A bed in the bedroom and a couch in the living room", "the bedroom has a bed, the living room needs a couch": a sentence for
+/// each room.
 fn in_rooms(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if word(tokens, i) != "and" {
+    const HAS: [&str; 8] = ["has", "contains", "holds", "needs", "gets", "have", "need", "should"];
+    let is_comma = tokens[i].is(",") && word(tokens, i + 1) != "and";
+    if word(tokens, i) != "and" && !is_comma {
         return false;
     }
-    let comma = usize::from(i > 0 && tokens[i - 1].is(","));
+    let comma = usize::from(!is_comma && i > 0 && tokens[i - 1].is(","));
     let stop = |tokens: &mut Vec<Token>, words: &[&str]| {
         put(tokens, i - comma, i + 1, words);
         tokens[i - comma].kind = WordKind::Sign('.');
@@ -184,12 +204,15 @@ fn in_rooms(tokens: &mut Vec<Token>, i: usize) -> bool {
     {
         let goes_on = match word(tokens, i + 1) {
             "in" => matches!(word(tokens, end), "there" | "stands" | "stand" | "is" | "are"),
-            _ => matches!(word(tokens, end), "has" | "contains" | "holds"),
+            _ => HAS.contains(&word(tokens, end)),
         };
         if goes_on {
             stop(tokens, &["."]);
         }
         return goes_on;
+    }
+    if is_comma {
+        return false;
     }
     // "A bed in the bedroom and a couch in the living room".
     let before = (1..=LONGEST).find_map(|n| {
@@ -197,18 +220,44 @@ fn in_rooms(tokens: &mut Vec<Token>, i: usize) -> bool {
         let in_the = from >= 2 && word(tokens, from - 2) == "in" && word(tokens, from - 1) == "the";
         (in_the && room(tokens, from) == Some(i - comma)).then_some(())
     });
+    let first = i + 1 + usize::from(matches!(word(tokens, i + 1), "just" | "only"));
     let starts =
-        matches!(word(tokens, i + 1), "a" | "an") || count(tokens.get(i + 1..i + 2).unwrap_or_default()).is_some();
-    let clause = tokens[i + 1..].iter().take_while(|t| t.word() && !t.is("and")).count();
-    let after = (i + 2..i + 1 + clause).find(|k| {
-        word(tokens, *k) == "in" && word(tokens, k + 1) == "the" && room(tokens, k + 2) == Some(i + 1 + clause)
-    });
+        matches!(word(tokens, first), "a" | "an") || count(tokens.get(first..first + 1).unwrap_or_default()).is_some();
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | '!'));
+    let end = tokens[first..].iter().position(ends).map_or(tokens.len(), |n| first + n);
+    let after = (first + 1..end)
+        .find(|k| word(tokens, *k) == "in" && word(tokens, k + 1) == "the" && room(tokens, k + 2) == Some(end));
     let has_verb = |end: usize| (i + 1..end).any(|k| get().verb(&tokens[k..=k]).is_some());
     if before.is_none() || !starts || after.is_none_or(has_verb) {
         return false;
     }
     stop(tokens, &[".", "there", "is"]);
+    room_first(tokens, i - comma);
+    let next = i - comma + 1;
+    let end = tokens[next..].iter().position(ends).map_or(tokens.len(), |n| next + n);
+    room_first(tokens, end);
     true
+}
+
+/// "Three desks, a cabinet and a board in the office": in the office there are all of them. The sentence ends at a token.
+fn room_first(tokens: &mut [Token], stop: usize) {
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Bullet | WordKind::Sign('.' | ';' | ':' | '!'));
+    let from = tokens[..stop].iter().rposition(ends).map_or(0, |n| n + 1);
+    let in_room =
+        |k: &usize| word(tokens, *k) == "in" && word(tokens, k + 1) == "the" && room(tokens, k + 2) == Some(stop);
+    let Some(place) = (from + 1..stop).find(in_room) else { return };
+    let there = if word(tokens, from) == "there" { 2 } else { 0 };
+    let first = from + there + usize::from(matches!(word(tokens, from + there), "just" | "only"));
+    let counted = matches!(word(tokens, first), "a" | "an") || count(&tokens[first..=first]).is_some();
+    let several = tokens[first..place].iter().any(|t| t.is(",") || t.is("and"));
+    let says = (first..place).any(|k| get().verb(&tokens[k..=k]).is_some());
+    if !counted || !several || says {
+        return;
+    }
+    // What is in another order is all where the whole of it is.
+    let whole = tokens[from].at.start..tokens[stop - 1].at.end;
+    tokens[from..stop].iter_mut().for_each(|token| token.at = whole.clone());
+    tokens[from..stop].rotate_left(place - from);
 }
 
 /// "A bedroom for my twin daughters", "a room for my teenage daughter": for twin daughters, a bedroom for a teenage daughter.
@@ -297,7 +346,18 @@ mod tests {
                 "two bedrooms, one with a desk and one with a crib",
                 "two bedrooms . the first bedroom has a desk . the second bedroom has a crib",
             ),
+            (
+                "the bedroom has a bed, the living room needs a sofa.",
+                "the bedroom has a bed . the living room needs a sofa .",
+            ),
+            (
+                "two desks, shelves and a board in the office, and just a table, a chair on one side in the kitchen.",
+                "in the office two desks , shelves and a board . in the kitchen there is just a table , a chair on one \
+                 side .",
+            ),
             ("a flat with two rooms: a bedroom and a kitchen", "a flat with a bedroom and a kitchen"),
+            ("a room for two boys with bunk beds", "a room for two boys with a bunk bed"),
+            ("a room for four kids with bunk beds", "a room for four kids with bunk beds"),
             ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
             ("a bedroom for my twin daughters", "a bedroom for twin daughters"),
             ("a studio where a couple sleeps and works", "a studio for a couple with a desk"),

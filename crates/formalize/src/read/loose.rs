@@ -11,6 +11,8 @@ use crate::brief::Group;
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let turns: [fn(&mut Vec<Token>, usize) -> bool; 25] = [
+        scattered,
+        left_behind,
         which_is,
         all_but,
         so_many_of_them,
@@ -21,8 +23,6 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         filled,
         behind_what,
         back_to_back,
-        aisles,
-        wide_aisles,
         only_so_large,
         only_by,
         moved_ahead,
@@ -363,6 +363,36 @@ fn students(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Scatter five or six tables around": five tables.
+fn scattered(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !matches!(word(tokens, i), "scatter" | "spread" | "dot") {
+        return false;
+    }
+    let Some((_, used)) = tokens.get(i + 1..).and_then(number::count) else { return false };
+    let Some(name) = noun(tokens, i + 1 + used) else { return false };
+    let around = name.end;
+    let room = word(tokens, around + 1) == "the" && matches!(word(tokens, around + 2), "room" | "floor" | "place");
+    if !matches!(word(tokens, around), "around" | "about" | "throughout" | "across")
+        || !room && get().noun(word(tokens, around + 2)).is_some()
+    {
+        return false;
+    }
+    let last = tokens[around - 1].text.clone();
+    put(tokens, around - 1, around + 1 + 2 * usize::from(room), &[&last]);
+    put(tokens, i, i + 1, &["there", "are"]);
+    true
+}
+
+/// "With mugs and plates left behind": behind nothing.
+fn left_behind(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "left" && word(tokens, i + 1) == "behind" && ends(tokens, i + 2) && i > 0;
+    if said {
+        let last = tokens[i - 1].text.clone();
+        put(tokens, i - 1, i + 2, &[&last]);
+    }
+    said
+}
+
 /// "A standard hotel double": a hotel room.
 fn hotel_double(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = word(tokens, i) == "hotel" && matches!(word(tokens, i + 1), "double" | "twin" | "single" | "suite");
@@ -415,38 +445,6 @@ fn in_a_game(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     put(tokens, i + 1, end, &["playing"]);
-    true
-}
-
-/// "Four rows of shelves, aisles 2 m wide": 2 m between the rows.
-fn wide_aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let listed = i > 0 && (tokens[i - 1].is(",") || tokens[i - 1].is("with") || tokens[i - 1].is("and"));
-    if !listed || word(tokens, i) != "aisles" || !tokens[..i].iter().any(|t| t.is("rows")) {
-        return false;
-    }
-    const LONGEST: usize = 6;
-    let said = (i + 2..(i + LONGEST).min(tokens.len())).find(|k| word(tokens, *k) == "wide");
-    let is_number = |t: &Token| matches!(t.kind, WordKind::Number(_));
-    let Some(wide) = said.filter(|wide| tokens[i + 1..*wide].iter().any(is_number)) else { return false };
-    put(tokens, wide, wide + 1, &["between", "the", "rows"]);
-    tokens.remove(i);
-    if tokens[i - 1].is("with") {
-        tokens[i - 1].kind = WordKind::Sign(',');
-        tokens[i - 1].text = ",".to_owned();
-    }
-    true
-}
-
-/// "A grocery with five aisles": with so many rows of shelves.
-fn aisles(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let Some((_, used)) = tokens.get(i..).and_then(number::count) else { return false };
-    let said =
-        word(tokens, i + used) == "aisles" && i > 0 && matches!(word(tokens, i - 1), "with" | "has" | "and" | ",");
-    let stands = tokens.iter().any(|t| matches!(t.text.as_str(), "shelves" | "racks" | "rows" | "gondolas"));
-    if !said || stands || !ends(tokens, i + used + 1) {
-        return false;
-    }
-    put(tokens, i + used, i + used + 1, &["rows", "of", "shelves"]);
     true
 }
 
@@ -619,6 +617,9 @@ mod tests {
             ("a lab for 16 university students.", "a lab for 16 students ."),
             ("a lab for a horror game level, two benches.", "a lab for playing , two benches ."),
             ("a shelf for a board game.", "a shelf for a board game ."),
+            ("scatter five or six tables around with benches", "there are five or six tables with benches"),
+            ("with mugs and plates left behind.", "with mugs and plates ."),
+            ("scatter three rugs around the table", "scatter three rugs around the table"),
             ("a bed, a desk opposite.", "a bed , a desk opposite it ."),
             ("two desks connected by a door.", "two desks connected by a door ."),
             ("an office with two connected desks.", "an office with two connected desks ."),

@@ -154,10 +154,14 @@ pub(super) fn vehicles(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A warehouse for testing a mobile robot, with four rows of shelves": the warehouse has the robot and the shelves.
+/// "A warehouse for testing a mobile robot, with four rows of shelves", "a hall to test a robot": it has the robot and the shelves.
 pub(super) fn tested(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let purpose = matches!(word(tokens, i + 1), "testing" | "training" | "demonstrating" | "repairing" | "assembling");
-    if word(tokens, i) != "for" || !purpose || !matches!(word(tokens, i + 2), "a" | "an" | "our" | "the" | "my") {
+    let purpose = match (word(tokens, i), word(tokens, i + 1)) {
+        ("for", does) => matches!(does, "testing" | "training" | "demonstrating" | "repairing" | "assembling"),
+        ("to", does) => matches!(does, "test" | "train" | "demonstrate" | "repair" | "assemble"),
+        _ => false,
+    };
+    if !purpose || !matches!(word(tokens, i + 2), "a" | "an" | "our" | "the" | "my") {
         return false;
     }
     let Some(name) = noun(tokens, i + 3) else { return false };
@@ -733,6 +737,7 @@ mod tests {
             ("a wine bar with a wine wall", "a wine bar with three wine racks"),
             ("a gym with a bench, weights and a mirror", "a gym with a bench , a dumbbell rack and a mirror"),
             ("a shop with weights", "a shop with weights"),
+            ("a hall to test a robot", "a hall with a robot"),
             ("a house with a kitchen-diner", "a house with a dining kitchen"),
             ("an office with four teams of four and a sofa", "an office for 16 people with a sofa"),
             ("an office for two teams of six people", "an office for 12 people"),

@@ -10,14 +10,19 @@
 //! of which nothing came is in the notes. It takes time in proportion to the text.
 
 mod account;
+mod aisles;
 mod annexes;
 mod areas;
+mod buildings;
 mod chunk;
 mod clause;
 mod compass;
 mod contents;
 mod counts;
+mod desks;
+mod each_with;
 mod finishes;
+mod free_floor;
 mod fronted;
 mod goods;
 mod homes;
@@ -48,6 +53,7 @@ mod taken_back;
 mod talk;
 mod token;
 mod unknown;
+mod wheeled;
 mod which;
 mod zones;
 
@@ -116,6 +122,7 @@ pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
     finishes::plain(&mut tokens);
+    buildings::plain(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);
     let answers = talk::turns(&mut tokens);
@@ -157,6 +164,7 @@ pub fn brief(request: &str) -> Brief {
         for said in paths::say(&mut brief, &tokens, &chunks) {
             used[said] = true;
         }
+        free_floor::keep_free(&mut brief);
         if let Some(whole) = found.whole {
             // "a flat with two bedrooms for a family of four": not so many in one bedroom.
             let people = brief.rooms.iter_mut().find_map(|room| room.people.take());

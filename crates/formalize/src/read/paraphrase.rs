@@ -9,9 +9,15 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 62] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 68] = [
             super::spelling::plain,
             super::annexes::plain,
+            super::each_with::plain,
+            super::free_floor::plain,
+            super::desks::plain,
+            super::aisles::plain,
+            super::wheeled::plain,
+            opposite_wall,
             super::loose::plain,
             super::compass::plain,
             super::opening::plain,
@@ -403,6 +409,42 @@ fn opposite(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "Eight washers, six dryers on the opposite wall": the washers are along one wall. "A window and a bed on the opposite wall": on
+/// the wall opposite the window.
+fn opposite_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let at = matches!(word(tokens, i), "on" | "along" | "at" | "against");
+    let said = at && matches!(word(tokens, i + 1), "the" | "an") && word(tokens, i + 2) == "opposite";
+    if !said || word(tokens, i + 3) != "wall" || word(tokens, i + 4) == "of" {
+        return false;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Bullet | WordKind::Sign('.' | ';' | ':'));
+    let from = tokens[..i].iter().rposition(stops).map_or(0, |n| n + 1);
+    if tokens[from..i].iter().any(|t| t.is("wall") || t.is("walls") || t.is("side")) {
+        return false;
+    }
+    // The list has a thing before this one, and nothing says yet where that is.
+    let Some(mut join) = (from..i).rev().find(|k| tokens[*k].is(",") || tokens[*k].is("and")) else { return false };
+    if join > from && tokens[join].is("and") && tokens[join - 1].is(",") {
+        join -= 1;
+    }
+    let name = |k: &usize| super::shares::noun(tokens, *k).is_some_and(|noun| noun.end == join);
+    let Some(first) = (from.max(join.saturating_sub(6))..join).find(name) else { return false };
+    let noun: Vec<String> = tokens[first..join].iter().map(|t| singular(&t.text)).collect();
+    if noun.last().is_some_and(|last| matches!(last.as_str(), "window" | "door" | "entrance")) {
+        let the: Vec<&str> =
+            ["on", "the", "wall", "opposite", "the"].into_iter().chain(noun.iter().map(String::as_str)).collect();
+        put(tokens, i, i + 4, &the);
+        return true;
+    }
+    let many = first > from && super::quantified::number(tokens, first - 1).is_some_and(|n| n > 1);
+    if many {
+        let own = tokens[join - 1].clone();
+        let words = ["along", "one", "wall"].map(|text| Token { text: text.to_owned(), ..own.clone() });
+        tokens.splice(join..join, words);
+    }
+    many
+}
+
 /// "Chairs in front of mirrors and a bench opposite": opposite the mirrors, at which the chairs look.
 fn before(tokens: &[Token], i: usize) -> Option<Vec<Token>> {
     const BETWEEN: usize = 4;
@@ -523,6 +565,15 @@ mod tests {
             ("a room for twelve children", "a room for twelve children"),
             ("a room for children's books", "a room for children books"),
             ("the sofa here and the tv opposite.", "the sofa here and the tv opposite it ."),
+            (
+                "eight washers, six dryers on the opposite wall",
+                "eight washers along one wall , six dryers on the opposite wall",
+            ),
+            ("a window and a bed on the opposite wall", "a window and a bed on the wall opposite the window"),
+            (
+                "a shelf on one wall and a bed on the opposite wall",
+                "a shelf on one wall and a bed on the opposite wall",
+            ),
             ("on the opposite side, opposite the bed", "on the opposite side , opposite the bed"),
             ("the fridge opens towards the table", "the fridge facing the table"),
             (

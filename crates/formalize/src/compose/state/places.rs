@@ -3,6 +3,8 @@
 use super::{Named, Side};
 use crate::brief::{FactKind, Group, Place, Rel};
 use crate::write::number;
+use scenelang_lang::nouns::{self, Stands};
+use scenelang_lang::roles;
 
 /// Beside what stands between something and a wall so much is free (metres).
 const PASS: f64 = 0.6;
@@ -34,7 +36,10 @@ impl Named<'_> {
         let deep = behind.map(|of| self.sizes[*of][0].max(self.sizes[*of][2])).reduce(f64::max);
         let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
             || matches!(rel, Rel::Mounted | Rel::Hang)
-            || rel == Rel::On && !matches!(group, Group::Table | Group::Seat | Group::Bed) && !self.tall(a)
+            || rel == Rel::On
+                && !matches!(group, Group::Table | Group::Seat | Group::Bed)
+                && !self.tall(a)
+                && !self.is_heavy(a)
             || group == Group::Ceiling;
         // Nothing that hangs on a wall leaves room for what is behind it.
         let verb = if up && deep.is_some() && place == Place::Wall && !opening { "prefer" } else { verb };
@@ -109,6 +114,15 @@ impl Named<'_> {
             }
             Place::Row | Place::Circle => {}
         }
+    }
+
+    /// What nobody hangs up: "dryers on the opposite wall" stand there, and so does a fireplace.
+    fn is_heavy(&self, a: usize) -> bool {
+        const HEAVY: f64 = 0.25;
+        let name = self.brief.things[a].name();
+        let stands = nouns::noun(&name).is_some_and(|noun| noun.stands == Stands::Back);
+        let [w, _, d] = self.sizes[a];
+        (stands || roles::role_of(&name) == "appliance") && w * d >= HEAVY && self.group(a) == Group::Floor
     }
 
     /// In the middle of its wall, or at two walls that face each other.

@@ -15,26 +15,62 @@ const RADIUS: f64 = 1.0;
 /// What stands in a group, and has no place of its own in it, is so near to the first (metres).
 const IN_GROUP: f64 = 1.0;
 
+fn thousandths(v: f64) -> f64 {
+    (v * 1000.0).round() / 1000.0
+}
+
 impl Named<'_> {
-    /// A circle around nothing: evenly spaced, each turned to the middle.
-    fn in_ring(&self, a: usize) -> String {
+    /// A circle around nothing, or half of one: evenly spaced, each turned to the middle.
+    fn in_ring(&self, a: usize, half: bool) -> String {
         let (of, n) = (self.name(a), self.counts[a]);
+        let (steps, sweep) = if half { (n - 1, 180.0_f64) } else { (n, 360.0) };
         let radius =
-            (n as f64 * (self.sizes[a][0] + IN_RING) / std::f64::consts::TAU + self.sizes[a][2] / 2.0).max(RADIUS);
+            (steps as f64 * (self.sizes[a][0] + IN_RING) / sweep.to_radians() + self.sizes[a][2] / 2.0).max(RADIUS);
         let each = (1..n).map(|i| {
-            let turn = 360.0 * i as f64 / n as f64;
-            let round = |v: f64| (v * 1000.0).round() / 1000.0;
-            let ahead = round(radius * (1.0 - turn.to_radians().cos()));
-            let aside = round(radius * turn.to_radians().sin());
+            let turn = sweep * i as f64 / steps as f64;
+            let ahead = thousandths(radius * (1.0 - turn.to_radians().cos()));
+            let aside = thousandths(radius * turn.to_radians().sin());
             let sign = if aside < 0.0 { '+' } else { '-' };
             format!(
                 "{of}[{i}].pos = {of}[0].pos + {of}[0].front * {} {sign} {of}[0].right * {} and {of}[{i}].rot.y = {of}[0].rot.y + {}",
                 number(ahead),
                 number(aside.abs()),
-                number(round(turn))
+                number(thousandths(turn))
             )
         });
         each.collect::<Vec<_>>().join(" and ")
+    }
+
+    /// Half a circle before what all of them face, each turned to it.
+    fn in_arc(&self, a: usize, b: usize) -> String {
+        const SWEEP: f64 = 120.0;
+        /// Between them and what they face, where stands have room as well (metres).
+        const AHEAD: f64 = 1.4;
+        let (of, to, n) = (self.name(a), self.name(b), self.counts[a]);
+        let spread = (n - 1) as f64 * (self.sizes[a][0] + 2.0 * IN_RING) / SWEEP.to_radians();
+        let radius = spread.max(self.sizes[b][2] / 2.0 + self.sizes[a][2] / 2.0 + AHEAD);
+        let each = (0..n).map(|i| {
+            let turn = SWEEP * (i as f64 / (n - 1) as f64 - 0.5);
+            let aside = thousandths(radius * turn.to_radians().sin());
+            let sign = if aside < 0.0 { '-' } else { '+' };
+            format!(
+                "{of}[{i}].pos = {to}.pos + {to}.front * {} {sign} {to}.right * {} and {of}[{i}].rot.y = {to}.rot.y + {}",
+                number(thousandths(radius * turn.to_radians().cos())),
+                number(aside.abs()),
+                number(thousandths(180.0 + turn))
+            )
+        });
+        each.collect::<Vec<_>>().join(" and ")
+    }
+
+    /// What all of these face, if it is one thing that stands on the floor.
+    fn faced(&self, a: usize) -> Option<usize> {
+        let faced = self.brief.facts.iter().find_map(|f| match &f.what {
+            FactKind::Rel(Rel::Facing, to) if f.of.contains(&a) && !f.not => to.first().copied(),
+            _ => None,
+        })?;
+        let stands = matches!(self.group(faced), Group::Floor | Group::Table | Group::Storage | Group::Seat);
+        (stands && self.counts[faced] == 1).then_some(faced)
     }
 
     pub(super) fn pattern(&self, a: usize, all: &[usize], pattern: Pattern) -> Option<String> {
@@ -118,10 +154,15 @@ impl Named<'_> {
                         let drawn = if self.group(a) == Group::Seat { self.seat_gap(b) } else { AROUND };
                         format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
                     }
-                    None if RING.contains(&n) => self.in_ring(a),
+                    None if RING.contains(&n) => self.in_ring(a, false),
                     None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
                 }
             }
+            Pattern::Arc if RING.contains(&n) => match self.faced(a) {
+                Some(b) => self.in_arc(a, b),
+                None => self.in_ring(a, true),
+            },
+            Pattern::Arc => return None,
             Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
             Pattern::BackToBack => format!(
                 "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175",
@@ -247,22 +288,21 @@ impl Named<'_> {
             return Some(self.ring_of_seats(a, b, k));
         }
         let two_behind = k == 2 && matches!(rel, Rel::Behind | Rel::InFrontOf);
-        let places = grid::seats(k, rel != Rel::Behind);
-        if places.len() < k || two_behind {
+        let [w, _, d] = self.sizes[b];
+        let seat = self.sizes[a][2];
+        let spots = grid::seats(k, rel, [w, d], seat);
+        if spots.len() < k || two_behind {
             return None;
         }
         let (of, to) = (self.name(a), self.name(b));
-        let [w, _, d] = self.sizes[b];
-        let seat = self.sizes[a][2];
         let places = |sign: f64| -> String {
             let one = |j: usize| {
-                let (at, (share, turned)) = (indexed(of, k, j), places[j]);
-                let away = |half: f64, share: f64| sign * share * (half + seat / 2.0 + 0.1);
+                let (at, ([x, z], turned)) = (indexed(of, k, j), spots[j]);
                 let turned = if sign > 0.0 { turned } else { (turned + 180.0).rem_euclid(360.0) };
                 format!(
                     "{at}.pos.x = {to}[i].pos.x + {} and {at}.pos.z = {to}[i].pos.z + {} and {at}.rot = rot(0, {}, 0)",
-                    number(away(w / 2.0, share[0])),
-                    number(away(d / 2.0, share[1])),
+                    number(sign * x),
+                    number(sign * z),
                     number(turned)
                 )
                 .replace("+ -", "- ")
@@ -279,6 +319,10 @@ impl Named<'_> {
         Some(match turned {
             Some((first, sign)) => {
                 format!("(forall i in 0..{first}: {}) and forall i in {first}..{m}: {}", places(sign), places(-sign))
+            }
+            // In front of a desk that is turned round.
+            None if k > 2 && rel == Rel::InFrontOf && self.is_taught(b) => {
+                format!("forall i in 0..{m}: {}", places(-1.0))
             }
             None => format!("forall i in 0..{m}: {}", places(1.0)),
         })
@@ -314,11 +358,14 @@ impl Named<'_> {
         Some(if grid.backs || grid.faces {
             two_ways(grid.columns, if grid.backs { [0, 180] } else { [180, 0] })
         } else {
-            // Who sits at a desk in a classroom sees the board, across the desk.
-            let room = self.brief.rooms.get(self.brief.things[a].room).and_then(|room| kinds::of(&room.name));
-            let taught = room.is_some_and(|kind| kind.is_taught()) && self.group(a) == Group::Table;
-            format!("{of}.rot <- rot(0, {}, 0);", if taught { 180 } else { 0 })
+            format!("{of}.rot <- rot(0, {}, 0);", if self.is_taught(a) { 180 } else { 0 })
         })
+    }
+
+    /// Who sits at a desk in a classroom sees the board, across the desk: it is turned round.
+    fn is_taught(&self, a: usize) -> bool {
+        let room = self.brief.rooms.get(self.brief.things[a].room).and_then(|room| kinds::of(&room.name));
+        room.is_some_and(|kind| kind.is_taught()) && self.group(a) == Group::Table
     }
 
     /// How an array in rows stands, if nothing else says where.

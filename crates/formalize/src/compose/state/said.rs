@@ -283,6 +283,14 @@ impl Named<'_> {
                     // Left and right on a desk are those of who sits there: its things look one way.
                     out.push(format!("{verb} {};", pairs(&|x, y| format!("angle({x}.front, {y}.front) <= 5"))));
                 }
+                let lights = ga == Group::Ceiling
+                    || matches!(self.brief.things[a].head().as_str(), "lamp" | "light" | "chandelier");
+                if rel == Rel::Above && lights && gb == Group::Table && self.counts[a] == 1 && m == 1 {
+                    let middle = |x: &str, y: &str| {
+                        format!("length(vec3({x}.center.x - {y}.center.x, 0, {x}.center.z - {y}.center.z)) <= 0.05")
+                    };
+                    out.push(format!("prefer {};", pairs(&middle)));
+                }
                 let wide = self.sizes[a][0] * self.counts[a].div_ceil(m.max(1)) as f64;
                 if rel == Rel::Above
                     && !matches!(gb, Group::Door | Group::Window)

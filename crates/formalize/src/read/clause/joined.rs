@@ -100,11 +100,16 @@ impl Reader<'_> {
             if join == Join::Usual && seats && is_end(*t, &RUN) && is_end(owner[0], &["island", "kitchen island"]) {
                 continue;
             }
+            if self.brief.things[owner[owner.len() - 1]].name() == crate::read::free_floor::AREA {
+                continue;
+            }
             self.seats_for(owner[owner.len() - 1], *t);
             let (group, owner_group) = (self.brief.things[*t].group, self.brief.things[owner[owner.len() - 1]].group);
             let usual = match group {
                 Group::Top | Group::Screen if !matches!(owner_group, Group::Seat) => Some(Rel::On),
                 Group::Soft => Some(Rel::On),
+                // Who waits sits within sight of the reception, and not at its edge.
+                Group::Seat if self.waits(*t, owner[0]) => Some(Rel::Near),
                 Group::Seat if matches!(owner_group, Group::Table) => {
                     if ONE_SIDED.iter().any(|end| self.brief.things[owner[0]].head().ends_with(end)) {
                         Some(Rel::InFrontOf)
@@ -118,6 +123,9 @@ impl Reader<'_> {
                 Group::Ceiling => Some(Rel::Above),
                 Group::Floor if self.brief.things[*t].words.last().is_some_and(|w| w == "lamp") => {
                     Some(if owner_group == Group::Table { Rel::On } else { Rel::Beside })
+                }
+                Group::Floor if owner_group == Group::Seat && self.brief.things[*t].head() == "stand" => {
+                    Some(Rel::InFrontOf)
                 }
                 Group::Table | Group::Storage | Group::Floor => Some(Rel::Beside),
                 _ => None,
@@ -139,6 +147,13 @@ impl Reader<'_> {
                 self.relate(&[*t], rel, owner);
             }
         }
+    }
+
+    /// Whether somebody waits on this seat at a desk or a counter.
+    fn waits(&self, seat: usize, desk: usize) -> bool {
+        let head = |thing: usize| self.brief.things[thing].head();
+        let ends = |text: String, names: [&str; 3]| names.iter().any(|name| text.ends_with(name));
+        ends(head(seat), ["sofa", "couch", "armchair"]) && ends(head(desk), ["reception desk", "front desk", "counter"])
     }
 
     /// "A bedroom with a bathroom, a desk and a wardrobe": the list goes on with what is in the bedroom.

@@ -514,6 +514,19 @@ impl<'a> Reader<'a> {
             Some(other) if two && one(&of) => vec![*other, of[0]],
             _ => of,
         };
+        // "Chairs with music stands in a circle": the chairs form it, and face something.
+        let ring = match &self.s.expect {
+            Expect::With(owner, Join::Usual) if matches!(pattern, Pattern::Circle | Pattern::Arc) => {
+                let seats = owner.iter().all(|o| self.brief.things[*o].group == Group::Seat);
+                Some(owner.clone()).filter(|_| seats && self.s.owned == of)
+            }
+            _ => None,
+        };
+        if let Some(owner) = &ring {
+            self.s.expect = Expect::Nothing;
+            (self.main, self.near) = (owner.clone(), owner.clone());
+        }
+        let of = ring.unwrap_or(of);
         // "chairs in four rows of five": twenty of them.
         if let (Pattern::Rows(Some(rows)), [item]) = (pattern, of.as_slice()) {
             let words = &self.tokens[chunks[i].at.clone()];

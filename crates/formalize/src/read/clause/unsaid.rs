@@ -40,6 +40,14 @@ impl Reader<'_> {
         word(of) == "of" && these(of + 1) && self.known_several(i, end)
     }
 
+    /// "The desk nearest the door", of several: nobody says which of them that is before the room is laid out.
+    pub(super) fn nearest_of(&self, i: usize, end: usize) -> bool {
+        let superlative =
+            |k: usize| k < end && matches!(self.word_at(k, 0), "nearest" | "closest" | "furthest" | "farthest");
+        let one = self.np(i, end).filter(|np| np.kind == NounKind::Thing && np.det == Det::Definite && !np.many);
+        superlative(i + 1) && one.is_some_and(|np| self.find(np).is_some_and(|o| self.brief.things[o].number.many()))
+    }
+
     /// Whether what is counted here was spoken of before, so that these are some of them: not "most of the wall".
     fn known_several(&self, i: usize, end: usize) -> bool {
         let many = |o: usize| self.brief.things[o].number.many();
@@ -128,8 +136,10 @@ impl Reader<'_> {
 
     /// "The visitors stand by the window": of people, and of no thing, as long as the clause names none that is new.
     pub(super) fn of_people(&self, i: usize, from: usize, to: usize) -> bool {
-        const WHERE: [&str; 12] =
-            ["sit", "sits", "stand", "stands", "wait", "waits", "lie", "lies", "walk", "walks", "work", "works"];
+        const WHERE: [&str; 20] = [
+            "sit", "sits", "stand", "stands", "wait", "waits", "lie", "lies", "walk", "walks", "work", "works", "come",
+            "comes", "enter", "enters", "arrive", "arrives", "go", "goes",
+        ];
         let begins = i == from || matches!(self.chunks[i - 1].piece, ChunkPiece::And | ChunkPiece::Comma);
         let article = usize::from(matches!(self.word_at(i, 0), "the" | "a" | "an" | "our" | "all"));
         let who =
@@ -141,6 +151,18 @@ impl Reader<'_> {
             && !(i..to).any(|k| self.np(k, to).is_some_and(is_new))
     }
 
+    /// "One of the pupils uses a wheelchair": what people come with is no thing of the room.
+    pub(super) fn comes_with(&self, i: usize) -> bool {
+        const WHEELED: [&str; 5] = ["wheelchair", "walker", "pram", "stroller", "crutches"];
+        let of = if matches!(self.word_at(i, 0), "one" | "some") && self.word_at(i, 1) == "of" { 3 } else { 0 };
+        let person =
+            |word: &str| get().is(word, Class::Person) || get().is(&scenelang_lang::nouns::plural(word), Class::Person);
+        let article = of + usize::from(of == 0 && matches!(self.word_at(i, 0), "the" | "a" | "an" | "our" | "my"));
+        let uses = matches!(self.word_at(i, article + 1), "uses" | "use" | "has" | "needs");
+        let what = article + 2 + usize::from(matches!(self.word_at(i, article + 2), "a" | "an"));
+        person(self.word_at(i, article)) && uses && WHEELED.contains(&self.word_at(i, what))
+    }
+
     /// "Please make me a classroom": of what is wanted, not of what makes somebody nervous.
     pub(super) fn asks_for(&self, i: usize) -> bool {
         let me = matches!(self.word_at(i, 1), "me" | "us" | "him" | "her");
@@ -149,13 +171,18 @@ impl Reader<'_> {
 
     /// "So a robot can pass", "so I can check on them": what something is for.
     pub(super) fn so_that(&self, i: usize) -> bool {
-        const HANDLED: [&str; 9] = ["walk", "move", "get", "reach", "open", "see", "watch", "pass", "sit"];
+        const HANDLED: [&str; 8] = ["walk", "move", "reach", "open", "see", "watch", "pass", "sit"];
+        // "So we can get in with equipment", but "so I can get past".
+        const PAST: [&str; 7] = ["past", "through", "around", "by", "between", "to", "up"];
         let that = usize::from(self.word_at(i, 1) == "that");
         let who = self.word_at(i, 1 + that);
         let can = (2..5).find(|n| matches!(self.word_at(i, n + that), "can" | "could" | "may" | "fits" | "passes"));
         let robot = || (2..5).any(|n| matches!(self.word_at(i, n + that), "robot" | "robots"));
         let somebody = matches!(who, "i" | "you" | "we" | "she" | "he" | "they" | "people" | "kids" | "staff");
-        let new = |can: usize| !HANDLED.contains(&self.word_at(i, can + 1 + that));
+        let new = |can: usize| match self.word_at(i, can + 1 + that) {
+            "get" => !PAST.contains(&self.word_at(i, can + 2 + that)),
+            verb => !HANDLED.contains(&verb),
+        };
         self.word_at(i, 0) == "so" && can.is_some_and(|can| robot() || somebody && new(can))
     }
 

@@ -151,6 +151,10 @@ impl Reader<'_> {
                 ("only", _) if self.narrows(i, end) => {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
+                // "Make it look a bit messy": what no statement says.
+                ("make" | "makes" | "making", "it") if matches!(self.word_at(i, 2), "look" | "feel" | "seem") => {
+                    out.push(i..to);
+                }
                 ("swap" | "replace" | "exchange" | "substitute", _) => out.push(i..to),
                 // "nobody wants a table under it": not which table there is; "clocks make people nervous"
                 ("nobody" | "noone", "wants" | "needs" | "likes" | "uses")
@@ -161,7 +165,7 @@ impl Reader<'_> {
                 }
                 // "left of the bed as seen from the door": left and right are the viewer's, and no statement says whose.
                 ("as" | "when", "seen" | "viewed") => out.push((from..i).rev().find(stop).unwrap_or(from)..to),
-                _ if self.some_unsaid(i, to) || self.for_unknown(i, to) => {
+                _ if self.some_unsaid(i, to) || self.for_unknown(i, to) || self.nearest_of(i, to) => {
                     out.push((from..i).rev().find(stop).unwrap_or(from)..to);
                 }
                 _ if self.as_before(i, to).is_some() => {
@@ -169,7 +173,7 @@ impl Reader<'_> {
                     out.push((from..i).rev().find(joins).map_or(from, |k| k + 1)..to);
                 }
                 _ if self.same_as(i, to).is_some() => out.extend(self.same_as(i, to)),
-                _ if self.of_people(i, from, to) || self.so_that(i) => out.push(i..to),
+                _ if self.of_people(i, from, to) || self.so_that(i) || self.comes_with(i) => out.push(i..to),
                 _ if self.free_beneath(i) => {
                     let with = (from..i).rev().find(|k| stop(k) || self.chunks[*k].piece == ChunkPiece::With);
                     let next = |k: &usize| matches!(self.chunks[*k].piece, ChunkPiece::With | ChunkPiece::And);

@@ -1,0 +1,100 @@
+//! Desks of which a request says how many by whom they are for: "desks in groups of four" of an office for twelve, desks "for two
+//! children each", and the desk of the one who writes: "my own desk" in a classroom is the teacher's.
+
+use super::number::count;
+use super::paraphrase::{put, word};
+use super::token::{Token, WordKind};
+
+const DESKS: [&str; 4] = ["desks", "workstations", "workplaces", "tables"];
+const GROUPS: [&str; 8] = ["groups", "islands", "pods", "clusters", "blocks", "banks", "sets", "pairs"];
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    in_groups(tokens, i) || shared(tokens, i) || own(tokens, i)
+}
+
+fn whole(tokens: &[Token], i: usize) -> Option<usize> {
+    let (n, used) = count(tokens.get(i..i + 1)?)?;
+    (used == 1 && n.fract() == 0.0 && (1.0..=400.0).contains(&n)).then_some(n as usize)
+}
+
+/// "An office for twelve people, desks in groups of four": twelve desks in groups of four.
+fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = DESKS[..3].contains(&word(tokens, i))
+        && word(tokens, i + 1) == "in"
+        && GROUPS.contains(&word(tokens, i + 2))
+        && word(tokens, i + 3) == "of";
+    let Some(each) = whole(tokens, i + 4).filter(|_| said) else { return false };
+    let counted = |t: &Token| count(std::slice::from_ref(t)).is_some();
+    if tokens[..i].iter().rev().take(3).take_while(|t| !matches!(t.kind, WordKind::Sign(_))).any(counted) {
+        return false;
+    }
+    let is_for = |k: &usize| word(tokens, *k) == "for" && whole(tokens, k + 1).is_some();
+    let Some(people) = (0..i).find(is_for).map(|k| k + 1) else { return false };
+    let fits = whole(tokens, people).is_some_and(|n| n > each && n.is_multiple_of(each));
+    if fits {
+        let number = Token { at: tokens[i].at.clone(), ..tokens[people].clone() };
+        tokens.insert(i, number);
+    }
+    fits
+}
+
+/// "The desks are for two children each": double desks.
+fn shared(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let verb = usize::from(matches!(word(tokens, i + 1), "are" | "seat" | "seating"));
+    let is_for = usize::from(word(tokens, i + 1 + verb) == "for");
+    let n = i + 1 + verb + is_for;
+    if word(tokens, i) != "desks" || verb + is_for == 0 || whole(tokens, n) != Some(2) {
+        return false;
+    }
+    let each = n + 1 + usize::from(word(tokens, n + 1) != "each");
+    if word(tokens, each) != "each" {
+        return false;
+    }
+    // "The desks are for two pupils each and should stand in rows": the double desks should stand in rows.
+    let end = each + 1;
+    let goes_on =
+        verb == 1 && word(tokens, end) == "and" && matches!(word(tokens, end + 1), "should" | "must" | "are" | "stand");
+    put(tokens, i, end + usize::from(goes_on), &["double", "desks"]);
+    true
+}
+
+/// "My own desk" of a classroom: the teacher's desk.
+fn own(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let mine = usize::from(word(tokens, i + 1) == "own") + 1;
+    let taught = |t: &Token| matches!(t.text.as_str(), "classroom" | "class" | "pupils" | "students" | "schoolroom");
+    let said = word(tokens, i) == "my" && word(tokens, i + mine) == "desk" && tokens[..i].iter().any(taught);
+    if said {
+        put(tokens, i, i + mine + 1, &["the", "teacher", "desk"]);
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::paraphrase::plainly;
+
+    #[test]
+    fn desks_are_counted_by_whom_they_are_for() {
+        for (said, becomes) in [
+            (
+                "an office for 12 people, desks in groups of four, each with a chair",
+                "an office for 12 people , 12 desks in groups of four , each with a chair",
+            ),
+            (
+                "an office for 12 people with 8 desks in groups of four",
+                "an office for 12 people with 8 desks in groups of four",
+            ),
+            ("an office for ten people, desks in groups of four", "an office for ten people , desks in groups of four"),
+            (
+                "the desks are for two children each and should stand in rows.",
+                "the double desks should stand in rows .",
+            ),
+            ("twelve desks for two pupils each.", "twelve double desks ."),
+            ("a classroom. my own desk is at the front.", "a classroom . the teacher desk is at the front ."),
+            ("a study. my desk is at the window.", "a study . my desk is at the window ."),
+        ] {
+            assert_eq!(plainly(said), becomes);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Where the list of what each has ends: in "four stations, each with a mirror and a chair, two basins and a sofa" each station
+//! has a mirror and a chair, and the room has the rest.
+
+use super::paraphrase::word;
+use super::shares::noun;
+use super::token::{Token, WordKind};
+use crate::read::quantified::number;
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if after_each(tokens, i) {
+        return true;
+    }
+    if word(tokens, i) != "each" || !matches!(word(tokens, i + 1), "with" | "has" | "have" | "having") {
+        return false;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | '!' | '?'));
+    let end = tokens[i..].iter().position(stops).map_or(tokens.len(), |n| i + n);
+    let Some(comma) = closing(tokens, i + 2, end) else { return false };
+    let and = usize::from(word(tokens, comma + 1) == "and");
+    let verb = if word(tokens, comma + 1 + and) == "a" || word(tokens, comma + 1 + and) == "an" { "is" } else { "are" };
+    let own = tokens[comma].clone();
+    let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
+    let words = [new(WordKind::Sign('.'), "."), new(WordKind::Word, "there"), new(WordKind::Word, verb)];
+    tokens.splice(comma..=comma + and, words);
+    true
+}
+
+/// "Two tables with six chairs each and a shelf": the shelf is there once.
+fn after_each(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let before = (i.saturating_sub(4)..i).any(|k| noun(tokens, k).is_some_and(|noun| noun.end == i));
+    let said = before && word(tokens, i) == "each" && word(tokens, i + 1) == "and" && item(tokens, i + 2);
+    if !said || !(1..=6).any(|n| i.checked_sub(n).is_some_and(|k| tokens[k].is("with"))) {
+        return false;
+    }
+    let own = tokens[i + 1].clone();
+    let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
+    tokens.insert(i + 1, new(WordKind::Sign(','), ","));
+    true
+}
+
+/// The comma after the list that begins here, where another list goes on: after its "and", or before an "and" where the list has
+/// one item.
+fn closing(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
+    let mut items = 1;
+    let mut closed = false;
+    for k in from..end {
+        if tokens[k].is("and") && item(tokens, k + 1) && !tokens[k - 1].is(",") {
+            closed = true;
+        } else if tokens[k].is(",") {
+            let and = usize::from(word(tokens, k + 1) == "and");
+            if !item(tokens, k + 1 + and) {
+                return None;
+            }
+            if closed || and == 1 && items == 1 {
+                return Some(k);
+            }
+            items += 1;
+        }
+    }
+    None
+}
+
+/// Whether a new thing is named here.
+fn item(tokens: &[Token], i: usize) -> bool {
+    let counted = matches!(word(tokens, i), "a" | "an" | "some") || number(tokens, i).is_some_and(|n| n > 1);
+    // Words that say what it is like stand before it.
+    counted && (1..=3).any(|n| noun(tokens, i + n).is_some())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::paraphrase::plainly;
+
+    #[test]
+    fn what_each_has_ends_where_its_list_ends() {
+        for (said, becomes) in [
+            (
+                "four stations, each with a mirror and a chair, two wash basins at the back and a small desk.",
+                "four stations , each with a mirror and a chair . there are two wash basins at the back and a small desk .",
+            ),
+            (
+                "two beds, each with a locker, a lamp and a chair, and a screen between them",
+                "two beds , each with a locker , a lamp and a chair . there is a screen between them",
+            ),
+            ("two tables with six chairs each and a shelf", "two tables with six chairs each , and a shelf"),
+            ("two desks, each with a lamp, and a sofa", "two desks , each with a lamp . there is a sofa"),
+            (
+                "two desks, each with a lamp, a chair, and a monitor",
+                "two desks , each with a lamp , a chair , and a monitor",
+            ),
+            ("two desks, each with a lamp and a chair", "two desks , each with a lamp and a chair"),
+            (
+                "two desks, each with a lamp and a chair, facing the wall",
+                "two desks , each with a lamp and a chair , facing the wall",
+            ),
+        ] {
+            assert_eq!(plainly(said), becomes);
+        }
+    }
+}

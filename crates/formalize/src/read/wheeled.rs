@@ -1,0 +1,80 @@
+//! People who come with a wheelchair or a pram: "someone with a pram still needs to get through" asks for paths that are wide
+//! enough, and for no pram.
+
+use super::lexicon::{Class, get};
+use super::paraphrase::{put, word};
+use super::token::{Token, WordKind};
+
+/// As wide as DIN 18040 asks of a passage for wheelchairs, in metres.
+const WIDE: f64 = 0.9;
+const WHEELED: [&str; 8] = ["wheelchair", "wheelchairs", "pram", "prams", "stroller", "strollers", "buggy", "walker"];
+const THROUGH: [&str; 7] = ["through", "past", "around", "everywhere", "in", "by", "along"];
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let starts = i == 0
+        || matches!(tokens[i - 1].kind, WordKind::Line | WordKind::Sign('.' | ';' | ','))
+        || tokens[i - 1].is("so");
+    let Some(who) = somebody(tokens, i).filter(|_| starts) else { return false };
+    let with = matches!(word(tokens, who), "with" | "in" | "using" | "on" | "pushing");
+    let article = who + usize::from(with);
+    let wheeled = article + usize::from(matches!(word(tokens, article), "a" | "an" | "their"));
+    let goes = if with && WHEELED.contains(&word(tokens, wheeled)) {
+        wheeled + 1
+    } else if WHEELED.contains(&word(tokens, i)) || WHEELED.contains(&word(tokens, who.saturating_sub(1))) {
+        who
+    } else {
+        return false;
+    };
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | '!'));
+    let end = tokens[goes..].iter().position(ends).map_or(tokens.len(), |n| goes + n);
+    let must =
+        |t: &Token| matches!(t.text.as_str(), "needs" | "need" | "has" | "have" | "should" | "must" | "can" | "could");
+    let moves = |t: &Token| matches!(t.text.as_str(), "get" | "pass" | "move" | "come" | "go" | "turn");
+    let clause = &tokens[goes..end];
+    let Some(verb) = clause.iter().position(moves).filter(|n| clause[..*n].iter().any(must)) else { return false };
+    if !clause[verb + 1..].iter().take(2).any(|t| THROUGH.contains(&t.text.as_str())) || clause.len() > verb + 5 {
+        return false;
+    }
+    put(tokens, i, end, &["there", "are", "0.9", "m", "wide", "paths", "to", "everything"]);
+    tokens[i + 2].kind = WordKind::Number(WIDE);
+    if i > 0 && tokens[i - 1].is("so") {
+        tokens[i - 1].text = ".".to_owned();
+        tokens[i - 1].kind = WordKind::Sign('.');
+    }
+    true
+}
+
+/// Where the words for a person end that begin here: "someone", "a visitor", "people", "a wheelchair user", "wheelchairs".
+fn somebody(tokens: &[Token], i: usize) -> Option<usize> {
+    let article = usize::from(matches!(word(tokens, i), "a" | "an" | "the" | "our" | "my"));
+    let at = i + article;
+    let user = WHEELED.contains(&word(tokens, at));
+    if user {
+        return Some(at + 1 + usize::from(matches!(word(tokens, at + 1), "user" | "users")));
+    }
+    let is_person =
+        |word: &str| get().is(word, Class::Person) || get().is(&scenelang_lang::nouns::plural(word), Class::Person);
+    let named = matches!(word(tokens, at), "someone" | "somebody" | "anyone" | "people" | "person")
+        || is_person(word(tokens, at));
+    named.then_some(at + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::paraphrase::plainly;
+
+    #[test]
+    fn who_comes_on_wheels_needs_wide_paths() {
+        let paths = "there are 0.9 m wide paths to everything";
+        for (said, becomes) in [
+            ("a hall. someone with a pram still needs to get through.", format!("a hall . {paths} .")),
+            ("a shop. people in wheelchairs must be able to get around.", format!("a shop . {paths} .")),
+            ("a ward, so a wheelchair can pass through", format!("a ward , . {paths}")),
+            ("a hall with a pram. the pram stands there.", "a hall with a pram . the pram stands there .".to_owned()),
+            ("a visitor with a pram sits there.", "a visitor with a pram sits there .".to_owned()),
+        ] {
+            assert_eq!(plainly(said), becomes);
+        }
+    }
+}
