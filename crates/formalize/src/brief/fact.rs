@@ -184,6 +184,8 @@ pub enum Pattern {
     Rows(Option<usize>),
     /// In so many groups.
     Groups(usize),
+    /// Rows in two halves, with an aisle of so many centimetres down the middle.
+    Aisle(u32),
     Circle,
     /// In half a circle.
     Arc,

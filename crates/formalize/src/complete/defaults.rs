@@ -34,7 +34,10 @@ pub fn counted(brief: &mut Brief) {
 
 /// Whether one lies on it: nobody sits at a table there.
 fn is_lain_on(seat: &Thing) -> bool {
-    const LAIN_ON: [&str; 6] = ["lounger", "daybed", "hammock", "chaise", "recliner", "futon"];
+    const LAIN_ON: [&str; 12] = [
+        "lounger", "daybed", "hammock", "chaise", "recliner", "futon", "beanbag", "beanbags", "bean", "armchair",
+        "pouf", "ottoman",
+    ];
     seat.words.iter().any(|word| LAIN_ON.contains(&word.as_str()))
 }
 

@@ -12,6 +12,8 @@ pub struct Grid {
     pub steps: [f64; 2],
     /// What the whole takes, with the things in it (x, z).
     pub takes: [f64; 2],
+    /// What the second half of each row is moved aside for an aisle down the middle, in metres.
+    pub aisle: f64,
     /// Two rows whose backs touch: the second is turned round.
     pub backs: bool,
     /// Two rows that look at each other: the first is turned round.
@@ -20,6 +22,9 @@ pub struct Grid {
 
 /// How far from the walls a grid stays, in metres.
 const MARGIN: f64 = 0.9;
+
+/// Between things in a row at the side of an aisle (metres).
+const BY_AISLE: f64 = 0.1;
 
 /// Between racks in a row, and from one row to the next, where there is room (metres).
 const RACKS: (f64, f64) = (0.02, 2.4);
@@ -98,12 +103,20 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         behind = behind.max(middle + 2.2);
     }
     let [w, _, d] = sizes[a];
-    let takes = |b: f64, h: f64| [columns as f64 * (w + b) - b, rows as f64 * (d + h) - h];
+    let wide = brief.facts.iter().find_map(|f| match f.what {
+        FactKind::Pattern(Pattern::Aisle(wide)) if f.of == [a] => Some(f64::from(wide) / 100.0),
+        _ => None,
+    });
+    if wide.is_some() {
+        beside = beside.min(BY_AISLE);
+    }
+    let aisle = wide.filter(|_| columns.is_multiple_of(2)).map_or(0.0, |wide| (wide + 0.02 - beside).max(0.0));
+    let takes = |b: f64, h: f64| [columns as f64 * (w + b) - b + aisle, rows as f64 * (d + h) - h];
     let mut whole = takes(beside, behind);
     if let Some([rw, _, rd]) = room {
         // As wide as the room lets it be.
         if columns > 1 && whole[0] > rw - MARGIN {
-            beside = ((rw - MARGIN - w * columns as f64) / (columns - 1) as f64).max(0.02);
+            beside = ((rw - MARGIN - aisle - w * columns as f64) / (columns - 1) as f64).max(0.02);
         }
         if rows > 1 && whole[1] > rd - MARGIN {
             behind = ((rd - MARGIN - d * rows as f64) / (rows - 1) as f64).max(0.02);
@@ -115,7 +128,7 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         }
     }
     let round = |v: f64| (v * 100.0).ceil() / 100.0;
-    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, backs, faces })
+    Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, aisle, backs, faces })
 }
 
 /// How far the elements of an array stand from each other at least, side by side and one behind the other (metres).

@@ -49,7 +49,7 @@ pub fn in_formation(plan: &mut Plan, thing: usize) -> bool {
     let in_groups = group == Group::Table && it.formation.iter().any(|[.., yaw]| *yaw != 0.0);
     let has_corners = plan.draft.rooms[plan.room].outline.is_some();
     let (Some(size), false, true) =
-        (it.size, it.formation.is_empty() || has_corners, group == Group::Storage || in_groups)
+        (it.size, it.formation.is_empty() || has_corners, matches!(group, Group::Storage | Group::Seat) || in_groups)
     else {
         return false;
     };

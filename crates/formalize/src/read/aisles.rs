@@ -7,7 +7,78 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    long_rows(tokens, i) || wide(tokens, i) || rows_of_shelves(tokens, i)
+    each_side(tokens, i)
+        || down_the_middle(tokens, i)
+        || in_parallel(tokens, i)
+        || long_rows(tokens, i)
+        || wide(tokens, i)
+        || rows_of_shelves(tokens, i)
+}
+
+/// How a word begins that stands for an aisle down the middle; its width in centimetres follows.
+const AISLE: &str = "aisle=";
+/// As wide as an aisle is if nobody says how wide, in centimetres: two people pass each other.
+const USUAL: u32 = 120;
+
+/// The width of an aisle for which a word stands, in centimetres.
+pub fn aisle(word: &str) -> Option<u32> {
+    word.strip_prefix(AISLE)?.parse().ok()
+}
+
+/// Where an aisle in the middle ends that is named here, and how wide it is: "a centre aisle 2 m wide", "an aisle down the middle".
+fn middle_aisle(tokens: &[Token], i: usize) -> Option<(usize, u32)> {
+    let from = i + usize::from(matches!(word(tokens, i), "a" | "an" | "the"));
+    let (mut wide, mut at) = (USUAL, from);
+    let centimetres = |from: usize, to: usize| -> Option<u32> {
+        let (n, used) = count(&tokens[from..])?;
+        let metres = n * unit(word(tokens, from + used))?;
+        (to == from + used + 1 && (0.3..=20.0).contains(&metres)).then_some((metres * 100.0).round() as u32)
+    };
+    if let Some(end) = length(tokens, at) {
+        wide = centimetres(at, end)?;
+        at = end + usize::from(word(tokens, end) == "wide");
+    }
+    let middle = matches!(word(tokens, at), "centre" | "center" | "central" | "middle");
+    at += usize::from(middle);
+    if word(tokens, at) != "aisle" {
+        return None;
+    }
+    at += 1;
+    let of = usize::from(word(tokens, at) == "of");
+    if let Some(end) = length(tokens, at + of) {
+        wide = centimetres(at + of, end)?;
+        at = end + usize::from(word(tokens, end) == "wide");
+    }
+    let down = matches!(word(tokens, at), "down" | "in" | "through" | "along")
+        && word(tokens, at + 1) == "the"
+        && matches!(word(tokens, at + 2), "middle" | "centre" | "center");
+    let at = at + 3 * usize::from(down);
+    (middle || down).then_some((at, wide))
+}
+
+/// "10 pews on each side of a centre aisle 2 m wide": 20 pews in 10 rows with the aisle between.
+fn each_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = ["on", "each", "side", "of"].iter().enumerate().all(|(k, said)| word(tokens, i + k) == *said)
+        || ["on", "either", "side", "of"].iter().enumerate().all(|(k, said)| word(tokens, i + k) == *said);
+    let Some((end, wide)) = middle_aisle(tokens, i + 4).filter(|_| said) else { return false };
+    let Some(all) = super::shares::counted(tokens, i, 2).filter(|all| all.noun.end == i) else { return false };
+    let number = all.noun.start.saturating_sub(1);
+    let (rows, twice) = (all.n.to_string(), (2 * all.n).to_string());
+    put(tokens, i, end, &["in", &rows, "rows", &format!("{AISLE}{wide}")]);
+    put(tokens, number, number + 1, &[&twice]);
+    for (k, n) in [(i + 1, all.n), (number, 2 * all.n)] {
+        tokens[k].kind = WordKind::Number(n as f64);
+    }
+    true
+}
+
+/// "Desks in rows with an aisle down the middle".
+fn down_the_middle(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let joins = matches!(word(tokens, i), "with" | "and" | "leaving");
+    let Some((end, wide)) = middle_aisle(tokens, i + usize::from(joins)).filter(|_| joins) else { return false };
+    let comma = usize::from(i > 0 && tokens[i - 1].is(","));
+    put(tokens, i - comma, end, &[&format!("{AISLE}{wide}")]);
+    true
 }
 
 /// "Four long rows of racks": a row is as long as it has racks.
@@ -18,6 +89,15 @@ fn long_rows(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = looks > 0 && counted && word(tokens, i + looks) == "rows" && word(tokens, i + looks + 1) == "of";
     if said {
         put(tokens, i, i + looks + 1, &["rows"]);
+    }
+    said
+}
+
+/// "Three benches in parallel": parallel to each other.
+fn in_parallel(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "in" && word(tokens, i + 1) == "parallel";
+    if said {
+        put(tokens, i, i + 2, &["parallel", "to", "each", "other"]);
     }
     said
 }
@@ -33,7 +113,9 @@ fn length(tokens: &[Token], i: usize) -> Option<usize> {
 /// "With aisles of 3 m between them", "aisles 2 m wide", "with 3 m wide aisles": so much between the rows.
 fn wide(tokens: &mut Vec<Token>, i: usize) -> bool {
     let listed = i > 0 && (tokens[i - 1].is(",") || tokens[i - 1].is("with") || tokens[i - 1].is("and"));
-    if !listed || !tokens[..i].iter().any(|t| t.is("rows")) {
+    let rows = tokens[..i].iter().any(|t| t.is("rows"));
+    let several = super::shares::counted(tokens, i, 2).is_some_and(|all| i - all.noun.end <= 6);
+    if !listed || !rows && !several {
         return false;
     }
     let is_wide = |k: usize| usize::from(word(tokens, k) == "wide");
@@ -56,7 +138,7 @@ fn wide(tokens: &mut Vec<Token>, i: usize) -> bool {
         word(tokens, end) == "between" && matches!(word(tokens, end + whom), "them" | "rows" | "racks" | "shelves");
     let end = if between { end + whom + 1 } else { end };
     let said = tokens[from..to].to_vec();
-    put(tokens, i, end, &["between", "the", "rows"]);
+    put(tokens, i, end, if rows { &["between", "the", "rows"] } else { &["apart"] });
     tokens.splice(i..i, said);
     if tokens[i - 1].is("with") && i > 1 && tokens[i - 2].is(",") {
         tokens.remove(i - 1);
@@ -97,7 +179,18 @@ mod tests {
             ),
             ("four rows of racks and aisles at least 2 m wide", "four rows of racks and at least 2 m between the rows"),
             ("two rows of racks, 1.2 m cold aisle between them", "two rows of racks , 1.2 m between the rows"),
-            ("six racks with 2 m aisles", "six racks with 2 m aisles"),
+            ("six racks with 2 m aisles", "six racks , 2 m apart"),
+            (
+                "three lab benches in parallel with 1.2 m aisles between them",
+                "three lab benches parallel to each other , 1.2 m apart",
+            ),
+            (
+                "10 pews on each side of a centre aisle 2 m wide, altar at the front",
+                "20 pews in 10 rows aisle=200 , altar at the front",
+            ),
+            ("desks in four rows, with an aisle down the middle.", "desks in four rows aisle=120 ."),
+            ("40 chairs with a 1.5 m wide aisle down the middle", "40 chairs aisle=150"),
+            ("a shop with an aisle to the till", "a shop with an aisle to the till"),
             ("a long row of lockers", "a long row of lockers"),
             ("a grocery with five aisles and a till.", "a grocery with five rows of shelves and a till ."),
         ] {

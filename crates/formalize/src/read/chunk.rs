@@ -209,6 +209,7 @@ fn little(rest: &[Token]) -> Option<ChunkPiece> {
         {
             Some(ChunkPiece::Which)
         }
+        _ if let Some(wide) = super::aisles::aisle(first) => Some(ChunkPiece::Pattern(Pattern::Aisle(wide))),
         "apart" if next.is_none_or(|t| !t.is("from")) => Some(ChunkPiece::Apart),
         "unobstructed" | "clear" | "free" | "empty" | "unblocked" | "clearance"
             if next.is_none_or(|t| !t.is("of") || first != "clear") =>

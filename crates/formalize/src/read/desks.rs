@@ -10,7 +10,7 @@ const GROUPS: [&str; 8] = ["groups", "islands", "pods", "clusters", "blocks", "b
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    in_groups(tokens, i) || shared(tokens, i) || own(tokens, i)
+    in_pairs(tokens, i) || in_groups(tokens, i) || shared(tokens, i) || own(tokens, i)
 }
 
 fn whole(tokens: &[Token], i: usize) -> Option<usize> {
@@ -37,6 +37,18 @@ fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
         tokens.insert(i, number);
     }
     fits
+}
+
+/// "For 24 kids sitting in pairs": they have double desks.
+fn in_pairs(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let who = usize::from(word(tokens, i) == "who");
+    let sit = matches!(word(tokens, i + who), "sitting" | "seated" | "sit" | "working");
+    let said = sit && word(tokens, i + who + 1) == "in" && word(tokens, i + who + 2) == "pairs";
+    let pupils = i > 0 && matches!(word(tokens, i - 1), "pupils" | "students" | "children" | "kids");
+    if said && pupils {
+        put(tokens, i, i + who + 3, &["with", "double", "desks"]);
+    }
+    said && pupils
 }
 
 /// "The desks are for two children each": double desks.
@@ -90,6 +102,7 @@ mod tests {
                 "the desks are for two children each and should stand in rows.",
                 "the double desks should stand in rows .",
             ),
+            ("a classroom for 24 kids sitting in pairs.", "a classroom for 24 kids with double desks ."),
             ("twelve desks for two pupils each.", "twelve double desks ."),
             ("a classroom. my own desk is at the front.", "a classroom . the teacher desk is at the front ."),
             ("a study. my desk is at the window.", "a study . my desk is at the window ."),

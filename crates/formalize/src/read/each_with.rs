@@ -8,6 +8,14 @@ use crate::read::quantified::number;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    // "Each bed needs a lamp": it has one.
+    let needs = |k: usize| matches!(word(tokens, k), "needs" | "gets" | "requires");
+    if word(tokens, i) == "each"
+        && let Some(name) = noun(tokens, i + 1).filter(|name| needs(name.end))
+    {
+        super::paraphrase::put(tokens, name.end, name.end + 1, &["has"]);
+        return true;
+    }
     if after_each(tokens, i) {
         return true;
     }
@@ -17,7 +25,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | '!' | '?'));
     let end = tokens[i..].iter().position(stops).map_or(tokens.len(), |n| i + n);
     let Some(comma) = closing(tokens, i + 2, end) else { return false };
-    let and = usize::from(word(tokens, comma + 1) == "and");
+    let and = usize::from(matches!(word(tokens, comma + 1), "and" | "plus"));
     let verb = if word(tokens, comma + 1 + and) == "a" || word(tokens, comma + 1 + and) == "an" { "is" } else { "are" };
     let own = tokens[comma].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
@@ -48,11 +56,12 @@ fn closing(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
         if tokens[k].is("and") && item(tokens, k + 1) && !tokens[k - 1].is(",") {
             closed = true;
         } else if tokens[k].is(",") {
-            let and = usize::from(word(tokens, k + 1) == "and");
+            let plus = word(tokens, k + 1) == "plus";
+            let and = usize::from(plus || word(tokens, k + 1) == "and");
             if !item(tokens, k + 1 + and) {
                 return None;
             }
-            if closed || and == 1 && items == 1 {
+            if closed || plus || and == 1 && items == 1 {
                 return Some(k);
             }
             items += 1;
@@ -63,7 +72,7 @@ fn closing(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
 
 /// Whether a new thing is named here.
 fn item(tokens: &[Token], i: usize) -> bool {
-    let counted = matches!(word(tokens, i), "a" | "an" | "some") || number(tokens, i).is_some_and(|n| n > 1);
+    let counted = matches!(word(tokens, i), "a" | "an" | "some" | "one") || number(tokens, i).is_some_and(|n| n > 1);
     // Words that say what it is like stand before it.
     counted && (1..=3).any(|n| noun(tokens, i + n).is_some())
 }
@@ -83,6 +92,7 @@ mod tests {
                 "two beds, each with a locker, a lamp and a chair, and a screen between them",
                 "two beds , each with a locker , a lamp and a chair . there is a screen between them",
             ),
+            ("two beds. each bed needs a locker and a stand.", "two beds . each bed has a locker and a stand ."),
             ("two tables with six chairs each and a shelf", "two tables with six chairs each , and a shelf"),
             ("two desks, each with a lamp, and a sofa", "two desks , each with a lamp . there is a sofa"),
             (

@@ -15,7 +15,11 @@ const MIDDLE: [&str; 3] = ["middle", "centre", "center"];
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    sized(tokens, i) || left_free(tokens, i) || amount_left(tokens, i) || in_the_middle(tokens, i)
+    sized(tokens, i)
+        || of_space(tokens, i)
+        || left_free(tokens, i)
+        || amount_left(tokens, i)
+        || in_the_middle(tokens, i)
 }
 
 /// Where a floor area of a stated size ends that begins here: "4 by 4 m", "2 m x 3 m", "16 m²".
@@ -50,6 +54,32 @@ fn sized(tokens: &mut Vec<Token>, i: usize) -> bool {
         }
     }
     is_size
+}
+
+/// "At least 1.5 m of free space in the middle": a free area as wide as long.
+fn of_space(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let least = if word(tokens, i) == "at" && word(tokens, i + 1) == "least" { 2 } else { 0 };
+    let Some((value, n)) = tokens.get(i + least..).and_then(number::count) else { return false };
+    let unit = i + least + n;
+    let of = unit + 1;
+    let floor = usize::from(matches!(word(tokens, of + 2), "floor" | "turning"));
+    let space = of + 2 + floor;
+    let said = number::unit(word(tokens, unit)).is_some()
+        && word(tokens, of) == "of"
+        && FREE.contains(&word(tokens, of + 1))
+        && matches!(word(tokens, space), "space" | "area" | "floor");
+    if !said || word(tokens, space + 1) != "in" {
+        return false;
+    }
+    let Some(end) = middle(tokens, space + 2) else { return false };
+    let end = purpose(tokens, end);
+    let unit = word(tokens, unit).to_owned();
+    put(tokens, i, end, &["a", "free", "area", "of", "n", &unit, "by", "n", &unit, "in", "the", "middle"]);
+    for k in [i + 4, i + 7] {
+        tokens[k].kind = WordKind::Number(value);
+        tokens[k].text = value.to_string();
+    }
+    true
 }
 
 /// Where "in the middle of the room" or "the middle of the floor" ends that begins here at "the".
@@ -152,6 +182,10 @@ mod tests {
             ),
             ("leave 2 m by 3 m free in the middle", "there is a free area of 2 m by 3 m in the middle"),
             ("a gym with an open space in the middle", "a gym with a free area in the middle"),
+            (
+                "a sink and at least 1.5 m of free space in the middle to turn around.",
+                "a sink and a free area of 1.5 m by 1.5 m in the middle .",
+            ),
             ("a table in the middle, clear of things", "a table in the middle , clear of things"),
             ("the middle drawer is empty", "the middle drawer is empty"),
             ("an open space of 4 by 5 m", "a free area of 4 by 5 m"),

@@ -10,8 +10,9 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 25] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 26] = [
         scattered,
+        down_the_middle,
         left_behind,
         which_is,
         all_but,
@@ -164,6 +165,13 @@ fn keep_away(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// "A two-seater and a lamp": a sofa for two.
 fn two_seater(tokens: &mut Vec<Token>, i: usize) -> bool {
+    // "A three seater sofa" is one.
+    let seats = matches!(word(tokens, i), "two" | "three" | "four") && matches!(word(tokens, i + 1), "seat" | "seater");
+    if seats && matches!(word(tokens, i + 2), "sofa" | "couch" | "settee" | "bench") {
+        let text = format!("{}-seater", word(tokens, i));
+        put(tokens, i, i + 2, &[&text]);
+        return true;
+    }
     let said =
         matches!(word(tokens, i), "two-seater" | "three-seater" | "four-seater" | "two-seaters" | "three-seaters");
     if !said || noun(tokens, i + 1).is_some_and(|name| name.end > i + 1) {
@@ -240,18 +248,32 @@ fn noun_before(tokens: &[Token], i: usize) -> bool {
 /// "An office for two people working back to back": with two desks at opposite walls.
 fn back_to_back(tokens: &mut Vec<Token>, i: usize) -> bool {
     let back = ["back", "to", "back"].iter().enumerate().all(|(k, said)| word(tokens, i + 1 + k) == *said);
-    if !matches!(word(tokens, i), "working" | "sitting")
+    let who = usize::from(i > 0 && word(tokens, i - 1) == "who");
+    if !matches!(word(tokens, i), "working" | "sitting" | "work" | "sit")
         || !back
-        || !matches!(word(tokens, i - 1), "people" | "persons")
+        || i < 2 + who
+        || !matches!(word(tokens, i - 1 - who), "people" | "persons")
     {
         return false;
     }
-    let Some((n, _)) = (2..i).rev().take(2).find_map(|k| number::count(&tokens[k..i])) else { return false };
-    let has_desk = tokens.iter().any(|t| t.is("desks") || t.is("desk"));
+    let Some((n, _)) = (2..i).rev().take(2 + who).find_map(|k| number::count(&tokens[k..i])) else { return false };
+    // "Each with their own desk": these are the two desks.
+    let own = i + 4 + usize::from(tokens.get(i + 4).is_some_and(|t| t.is(",")));
+    let each =
+        ["each", "with", "their", "own", "desk"].iter().enumerate().all(|(k, said)| word(tokens, own + k) == *said);
+    let has_desk = !each && tokens.iter().any(|t| t.is("desks") || t.is("desk"));
     if n != 2.0 || has_desk {
         return false;
     }
-    put(tokens, i, i + 4, &["with", "two", "desks", "against", "opposite", "walls"]);
+    if each {
+        let more = own + 5;
+        let goes_on = tokens.get(more).is_some_and(|t| t.is(",") || t.is("and"));
+        put(tokens, own, more + usize::from(goes_on), if goes_on { &["each", "with", "a"] } else { &[] });
+        if !goes_on {
+            tokens.drain(own..own + 5);
+        }
+    }
+    put(tokens, i - who, i + 4, &["with", "two", "desks", "against", "opposite", "walls"]);
     true
 }
 
@@ -381,6 +403,21 @@ fn scattered(tokens: &mut Vec<Token>, i: usize) -> bool {
     put(tokens, around - 1, around + 1 + 2 * usize::from(room), &[&last]);
     put(tokens, i, i + 1, &["there", "are"]);
     true
+}
+
+/// "A conveyor running down the middle": in the middle.
+fn down_the_middle(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let that = usize::from(matches!(word(tokens, i), "that" | "which"));
+    let runs = matches!(word(tokens, i + that), "running" | "runs" | "going" | "goes");
+    let down = i + that + 1;
+    let said = runs
+        && matches!(word(tokens, down), "down" | "along" | "through")
+        && word(tokens, down + 1) == "the"
+        && matches!(word(tokens, down + 2), "middle" | "centre" | "center");
+    if said {
+        put(tokens, i, down + 1, &["in"]);
+    }
+    said
 }
 
 /// "With mugs and plates left behind": behind nothing.
@@ -618,6 +655,12 @@ mod tests {
             ("a lab for a horror game level, two benches.", "a lab for playing , two benches ."),
             ("a shelf for a board game.", "a shelf for a board game ."),
             ("scatter five or six tables around with benches", "there are five or six tables with benches"),
+            ("a three seater sofa and a two seat couch", "a three-seater sofa and a two-seater couch"),
+            (
+                "an office for two people who work back to back, each with their own desk, monitor and chair.",
+                "an office for two people with two desks against opposite walls , each with a monitor and chair .",
+            ),
+            ("a conveyor belt running down the middle", "a conveyor belt in the middle"),
             ("with mugs and plates left behind.", "with mugs and plates ."),
             ("scatter three rugs around the table", "scatter three rugs around the table"),
             ("a bed, a desk opposite.", "a bed , a desk opposite it ."),

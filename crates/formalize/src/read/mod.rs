@@ -122,6 +122,7 @@ pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
     finishes::plain(&mut tokens);
+    talk::asking(&mut tokens);
     buildings::plain(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);
@@ -165,6 +166,7 @@ pub fn brief(request: &str) -> Brief {
             used[said] = true;
         }
         free_floor::keep_free(&mut brief);
+        seated::at_tables(&mut brief);
         if let Some(whole) = found.whole {
             // "a flat with two bedrooms for a family of four": not so many in one bedroom.
             let people = brief.rooms.iter_mut().find_map(|room| room.people.take());

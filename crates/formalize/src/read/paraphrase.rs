@@ -412,6 +412,15 @@ fn opposite(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Eight washers, six dryers on the opposite wall": the washers are along one wall. "A window and a bed on the opposite wall": on
 /// the wall opposite the window.
 fn opposite_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    // "Washers on one wall and dryers on the other".
+    let on = matches!(word(tokens, i), "on" | "along" | "at" | "against");
+    let other = on && word(tokens, i + 1) == "the" && word(tokens, i + 2) == "other";
+    let one = |k: usize| word(tokens, k) == "one" && word(tokens, k + 1) == "wall";
+    let goes_on = ends(tokens, i + 3) || matches!(word(tokens, i + 3), "with" | "and");
+    if other && goes_on && (i.saturating_sub(12)..i).any(one) {
+        put(tokens, i + 2, i + 3, &["opposite", "wall"]);
+        return true;
+    }
     let at = matches!(word(tokens, i), "on" | "along" | "at" | "against");
     let said = at && matches!(word(tokens, i + 1), "the" | "an") && word(tokens, i + 2) == "opposite";
     if !said || word(tokens, i + 3) != "wall" || word(tokens, i + 4) == "of" {
@@ -568,6 +577,10 @@ mod tests {
             (
                 "eight washers, six dryers on the opposite wall",
                 "eight washers along one wall , six dryers on the opposite wall",
+            ),
+            (
+                "six washers on one wall and six dryers on the other with a table in between",
+                "six washers on one wall and six dryers on the opposite wall with a table in between",
             ),
             ("a window and a bed on the opposite wall", "a window and a bed on the wall opposite the window"),
             (

@@ -5,6 +5,7 @@ use super::lexicon::{get, singular};
 use super::number::count;
 use super::paraphrase::{put, word};
 use super::token::{Token, WordKind};
+use crate::brief::{Brief, Fact, FactKind, Group, Number, Rel};
 use scenelang_lang::nouns::plural;
 
 /// Who works at a desk of their own.
@@ -107,6 +108,35 @@ fn counted_for(tokens: &mut Vec<Token>, i: usize) -> bool {
     let name = if n == 1.0 { name } else { plural(&name) };
     put(tokens, i, i + 1, &[&said, &name]);
     true
+}
+
+/// "A table for ten. Leave a metre behind the chairs": these are the chairs at the table.
+pub fn at_tables(brief: &mut Brief) {
+    let placed = |seat: usize| {
+        brief.facts.iter().any(|fact| {
+            let other =
+                matches!(fact.what, FactKind::Rel(..) | FactKind::Place(..) | FactKind::Pattern(_) | FactKind::Gap(..));
+            other && (fact.of.contains(&seat) || fact.what.objects().unwrap_or_default().contains(&seat))
+        })
+    };
+    let is_chair = |at: &usize| {
+        let thing = &brief.things[*at];
+        thing.head() == "chair" && thing.number == Number::Plural && thing.part.is_none() && !placed(*at)
+    };
+    let chairs: Vec<usize> = (0..brief.things.len()).filter(is_chair).collect();
+    for chair in chairs {
+        let room = brief.things[chair].room;
+        let mut tables = (0..brief.things.len()).filter(|at| {
+            let table = &brief.things[*at];
+            table.room == room && table.group == Group::Table && table.places.is_some() && !table.number.many()
+        });
+        let (Some(table), None) = (tables.next(), tables.next()) else { continue };
+        let source = brief.things[chair].source.clone();
+        if let Some(places) = brief.things[table].places {
+            brief.things[chair].number = Number::Exactly(places);
+        }
+        brief.facts.push(Fact::new(vec![chair], FactKind::Rel(Rel::Around, vec![table]), source));
+    }
 }
 
 #[cfg(test)]

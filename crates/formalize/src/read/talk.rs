@@ -244,6 +244,26 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
     notes
 }
 
+/// Leaves out how a request begins that asks for a room: "can you make me a café" is "a café".
+pub fn asking(tokens: &mut Vec<Token>) {
+    const ASKS: [&str; 38] = [
+        "hi", "hello", "please", "can", "could", "would", "will", "you", "i", "we", "i'd", "we'd", "i'm", "we're",
+        "need", "want", "like", "love", "to", "make", "create", "design", "build", "give", "generate", "show", "model",
+        "me", "us", "have", "get", "looking", "for", "see", "just", "let's", "set", "up",
+    ];
+    let said = tokens.iter().take_while(|t| t.is(",") || ASKS.iter().any(|word| t.is(word))).count();
+    let named = tokens.get(said).is_some_and(|t| matches!(t.text.as_str(), "a" | "an" | "our" | "my" | "this"));
+    // "I need to sleep", "we have a dog".
+    const VERBS: [&str; 13] = [
+        "need", "want", "like", "love", "make", "create", "design", "build", "give", "generate", "show", "model",
+        "looking",
+    ];
+    let asks = tokens[..said].iter().any(|t| VERBS.iter().any(|verb| t.is(verb)));
+    if named && asks {
+        tokens.drain(..said);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::token::tokens;

@@ -12,6 +12,9 @@ const THROUGH: [&str; 7] = ["through", "past", "around", "everywhere", "in", "by
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if room_for(tokens, i) {
+        return true;
+    }
     let starts = i == 0
         || matches!(tokens[i - 1].kind, WordKind::Line | WordKind::Sign('.' | ';' | ','))
         || tokens[i - 1].is("so");
@@ -45,6 +48,23 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "With enough space between them for a pram": as much between them as a pram needs.
+fn room_for(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let enough = usize::from(word(tokens, i) == "enough");
+    let space = i + enough;
+    let said = matches!(word(tokens, space), "space" | "room") && word(tokens, space + 1) == "between";
+    let whom = space + 2 + usize::from(word(tokens, space + 2) == "the");
+    let article = whom + 2 + usize::from(matches!(word(tokens, whom + 2), "a" | "two"));
+    if !said || word(tokens, whom + 1) != "for" || !WHEELED.contains(&word(tokens, article)) {
+        return false;
+    }
+    let them: Vec<String> = (space + 2..=whom).map(|k| word(tokens, k).to_owned()).collect();
+    let words: Vec<&str> = ["0.9", "m", "between"].into_iter().chain(them.iter().map(String::as_str)).collect();
+    put(tokens, i, article + 1, &words);
+    tokens[i].kind = WordKind::Number(WIDE);
+    true
+}
+
 /// Where the words for a person end that begin here: "someone", "a visitor", "people", "a wheelchair user", "wheelchairs".
 fn somebody(tokens: &[Token], i: usize) -> Option<usize> {
     let article = usize::from(matches!(word(tokens, i), "a" | "an" | "the" | "our" | "my"));
@@ -71,6 +91,10 @@ mod tests {
             ("a hall. someone with a pram still needs to get through.", format!("a hall . {paths} .")),
             ("a shop. people in wheelchairs must be able to get around.", format!("a shop . {paths} .")),
             ("a ward, so a wheelchair can pass through", format!("a ward , . {paths}")),
+            (
+                "two rows of shelves with enough space between them for a pram.",
+                "two rows of shelves with 0.9 m between them .".to_owned(),
+            ),
             ("a hall with a pram. the pram stands there.", "a hall with a pram . the pram stands there .".to_owned()),
             ("a visitor with a pram sits there.", "a visitor with a pram sits there .".to_owned()),
         ] {

@@ -163,6 +163,17 @@ impl Named<'_> {
                 None => self.in_ring(a, true),
             },
             Pattern::Arc => return None,
+            Pattern::Aisle(wide) => {
+                let grid =
+                    self.grid(a).filter(|grid| grid.columns.is_multiple_of(2) && n.is_multiple_of(grid.columns))?;
+                let (k, half) = (grid.columns, grid.columns / 2);
+                let (left, right) = (half - 1, half);
+                format!(
+                    "forall r in 0..{}: far({of}[{k} * r + {left}], {of}[{k} * r + {right}], {})",
+                    n / k,
+                    number(f64::from(wide) / 100.0)
+                )
+            }
             Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
             Pattern::BackToBack => format!(
                 "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175",
@@ -252,6 +263,17 @@ impl Named<'_> {
             ));
         }
         let full = n / k;
+        if grid.aisle > 0.0 && n.is_multiple_of(k) {
+            let half = k / 2;
+            let second = format!(
+                "{of}[{k} * r + i].pos.x = {of}[0].pos.x + i * {x} + {} and {of}[{k} * r + i].pos.z = {of}[0].pos.z - r * {z}",
+                number(grid.aisle)
+            );
+            let first = place(format!("{of}[{k} * r + i]"), "r");
+            return Some(format!(
+                "(forall r in 0..{full}: forall i in 0..{half}: {first}) and forall r in 0..{full}: forall i in {half}..{k}: {second}"
+            ));
+        }
         let mut out =
             format!("forall r in 0..{full}: forall i in 0..{k}: {}", place(format!("{of}[{k} * r + i]"), "r"));
         if n % k > 0 {
@@ -387,9 +409,14 @@ impl Named<'_> {
         }
         let told = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_) | Pattern::Row)));
         let Some(grid) = self.grid(a).filter(|grid| told && !grid.backs && !grid.faces) else { return Vec::new() };
+        // Single seats stand as the room has them, unless an aisle runs between them.
+        if self.group(a) == Group::Seat && grid.aisle == 0.0 {
+            return Vec::new();
+        }
         let place = |i: usize| {
             let (row, column) = (i / grid.columns, i % grid.columns);
-            [column as f64 * grid.steps[0], -(row as f64) * grid.steps[1], 0.0]
+            let aside = if 2 * column >= grid.columns { grid.aisle } else { 0.0 };
+            [column as f64 * grid.steps[0] + aside, -(row as f64) * grid.steps[1], 0.0]
         };
         (0..self.counts[a]).map(place).collect()
     }

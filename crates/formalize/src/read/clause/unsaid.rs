@@ -186,6 +186,14 @@ impl Reader<'_> {
         self.word_at(i, 0) == "so" && can.is_some_and(|can| robot() || somebody && new(can))
     }
 
+    /// "We have to be able to wheel a bed out": what people can do there.
+    pub(super) fn able_to(&self, i: usize) -> bool {
+        const HANDLED: [&str; 8] = ["walk", "move", "reach", "open", "see", "pass", "get", "sit"];
+        let who = matches!(self.word_at(i, 0), "we" | "you" | "they" | "i" | "staff" | "people" | "nurses" | "it");
+        let able = (1..6).find(|n| self.word_at(i, *n) == "able" && self.word_at(i, n + 1) == "to");
+        who && able.is_some_and(|able| !HANDLED.contains(&self.word_at(i, able + 2)))
+    }
+
     /// "12 cm clearance underneath": a space that no statement speaks of.
     pub(super) fn free_beneath(&self, i: usize) -> bool {
         let space = matches!(self.word_at(i, 0), "clearance" | "space" | "room" | "gap");

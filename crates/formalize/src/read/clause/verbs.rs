@@ -173,7 +173,9 @@ impl Reader<'_> {
                     out.push((from..i).rev().find(joins).map_or(from, |k| k + 1)..to);
                 }
                 _ if self.same_as(i, to).is_some() => out.extend(self.same_as(i, to)),
-                _ if self.of_people(i, from, to) || self.so_that(i) || self.comes_with(i) => out.push(i..to),
+                _ if self.of_people(i, from, to) || self.so_that(i) || self.comes_with(i) || self.able_to(i) => {
+                    out.push(i..to)
+                }
                 _ if self.free_beneath(i) => {
                     let with = (from..i).rev().find(|k| stop(k) || self.chunks[*k].piece == ChunkPiece::With);
                     let next = |k: &usize| matches!(self.chunks[*k].piece, ChunkPiece::With | ChunkPiece::And);
