@@ -37,6 +37,8 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         FactKind::Pattern(Pattern::Row) if f.of == [a] => Some(1),
         _ => None,
     });
+    let parted = brief.facts.iter().any(|f| matches!(f.what, FactKind::Pattern(Pattern::Aisle(_))) && f.of == [a]);
+    let rows = rows.or_else(|| parted.then(|| halves(n)));
     let said = rows.is_some();
     // "In rows": the last may be shorter.
     let exact = said && !brief.facts.iter().any(|f| f.what == FactKind::Pattern(Pattern::Rows(None)) && f.of == [a]);
@@ -164,6 +166,12 @@ fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
         }
     }
     [beside, behind]
+}
+
+/// Rows for so many that an aisle parts in halves.
+fn halves(n: usize) -> usize {
+    let most = (n as f64).sqrt().ceil() as usize;
+    (2..=most).rev().find(|r| n.is_multiple_of(2 * r)).unwrap_or_else(|| spread(n))
 }
 
 /// Rows for so many: about as many as columns, full ones if it can be.

@@ -378,6 +378,9 @@ pub(super) fn is_for_waiting(plan: &Plan, thing: usize) -> bool {
     let here = plan.draft.things.iter().filter(|other| other.room == Some(plan.room));
     let asked = here.filter(|other| matches!(other.source, ThingOrigin::Stated(_)));
     let names = asked.map(|other| other.category.replace('_', " "));
+    // Magazines lie on a table of a waiting room, and nobody sits at it.
+    let waits = plan.kind.name.contains("waiting");
+    let names = names.filter(|noun| !(waits && noun == "table"));
     let mut nouns = names.chain(plan.kind.lines.iter().map(|line| line.noun.to_owned()));
     it.count >= SEVERAL
         && it.room == Some(plan.room)

@@ -225,6 +225,7 @@ impl Plan<'_> {
             let spread = around && s.demand == Demand::Prefer;
             calls(&s.text).iter().all(|call| match *call {
                 "near" | "looksAt" | "facing" | "onFloor" => true,
+                "clear" => around && stand::group(part.noun) == Group::Seat,
                 "inside" => s.text.contains(&format!(", {})", self.draft.rooms[self.room].name)),
                 "around" => around,
                 "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),

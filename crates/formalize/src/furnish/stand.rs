@@ -308,7 +308,9 @@ pub fn placed_where(draft: &Draft, name: &str, other: Option<&str>, counts: &dyn
         let related = other.is_some_and(|other| mentions(&s.text, other));
         // Two on both sides of a table face each other.
         let related = related || s.text.contains(&format!("facing({name}[2 * i], {name}["));
-        !related && !s.text.contains("onFloor(")
+        // Free space behind a seat says nothing of where the seat is.
+        let is_space = group(&name.to_lowercase()) == Group::Seat && s.text.contains(": clear(a, behind, ");
+        !related && !is_space && !s.text.contains("onFloor(")
     })
 }
 

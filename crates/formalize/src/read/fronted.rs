@@ -36,6 +36,9 @@ const NAME: usize = 6;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if have_behind(tokens, i) {
+        return true;
+    }
     let starts =
         i == 0 || matches!(tokens[i - 1].kind, WordKind::Line | WordKind::Bullet | WordKind::Sign('.' | ';' | ':'));
     let relation = match (word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)) {
@@ -84,6 +87,55 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "All chairs should have about 80 cm behind them": 80 cm must be kept clear behind all chairs.
+fn have_behind(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let must = matches!(word(tokens, i), "should" | "must" | "shall" | "need" | "needs");
+    let have = i + usize::from(must);
+    if !matches!(word(tokens, have), "have" | "has" | "to") || i == 0 {
+        return false;
+    }
+    let have = if word(tokens, have) == "to" && word(tokens, have + 1) == "have" { have + 1 } else { have };
+    let least = if word(tokens, have + 1) == "at" && word(tokens, have + 2) == "least" { 2 } else { 0 };
+    let about = usize::from(matches!(word(tokens, have + 1), "about" | "around" | "roughly"));
+    let from = have + 1 + least + about;
+    let Some((_, used)) = number::count(tokens.get(from..).unwrap_or_default()) else { return false };
+    let mut end = from + used + 1;
+    if number::unit(word(tokens, end - 1)).is_none() {
+        return false;
+    }
+    let amount = have + 1..end;
+    // "Of free space", "free".
+    end += tokens[end..]
+        .iter()
+        .take_while(|t| ["of", "free", "clear", "empty", "space", "room"].iter().any(|w| t.is(w)))
+        .count();
+    let relation = match (word(tokens, end), word(tokens, end + 1), word(tokens, end + 2)) {
+        ("behind" | "beside" | "around" | "before", ..) => 1,
+        ("in", "front", "of") => 3,
+        _ => return false,
+    };
+    if !matches!(word(tokens, end + relation), "them" | "it") {
+        return false;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Bullet | WordKind::Sign('.' | ';' | ':' | ','));
+    let begin = tokens[..i].iter().rposition(stops).map_or(0, |n| n + 1);
+    let name = &tokens[begin..i];
+    if name.is_empty() || name.len() > NAME || !name.iter().all(Token::word) {
+        return false;
+    }
+    let like = tokens[i].clone();
+    let new = |text: &str| Token { kind: WordKind::Word, text: text.to_owned(), ..like.clone() };
+    let mut said = tokens[amount].to_vec();
+    said.extend(["must", "be", "kept", "clear"].map(new));
+    said.extend_from_slice(&tokens[end..end + relation]);
+    said.extend_from_slice(name);
+    // What is in another order is all where the whole of it is.
+    let whole = tokens[begin].at.start..tokens[end + relation].at.end;
+    said.iter_mut().for_each(|token| token.at = whole.clone());
+    tokens.splice(begin..=end + relation, said);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -97,6 +149,12 @@ mod tests {
             ),
             ("in front of the wardrobe, 1 m must be kept clear.", "1 m must be kept clear in front of the wardrobe ."),
             ("behind the bed a lamp 1.5 m tall stands free.", "behind the bed a lamp 1.5 m tall stands free ."),
+            (
+                "all chairs should have about 80 cm behind them so people can get up.",
+                "about 80 cm must be kept clear behind all chairs so people can get up .",
+            ),
+            ("the sofa has 1 m of free space in front of it.", "1 m must be kept clear in front of the sofa ."),
+            ("the desk has 2 drawers in it.", "the desk has 2 drawers in it ."),
             ("behind the sofa two plants stand clear.", "behind the sofa two plants stand clear ."),
             (
                 "behind the sofa is a table 1 m wide, free of things.",

@@ -168,11 +168,17 @@ impl Named<'_> {
                     self.grid(a).filter(|grid| grid.columns.is_multiple_of(2) && n.is_multiple_of(grid.columns))?;
                 let (k, half) = (grid.columns, grid.columns / 2);
                 let (left, right) = (half - 1, half);
-                format!(
+                let apart = format!(
                     "forall r in 0..{}: far({of}[{k} * r + {left}], {of}[{k} * r + {right}], {})",
                     n / k,
                     number(f64::from(wide) / 100.0)
-                )
+                );
+                // Rows of which nobody says how many.
+                let told = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_))));
+                match self.rows(a).filter(|_| !told) {
+                    Some(rows) => format!("({rows}) and {apart}"),
+                    None => apart,
+                }
             }
             Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
             Pattern::BackToBack => format!(
@@ -407,7 +413,8 @@ impl Named<'_> {
         if let Some(clusters) = self.clusters(a) {
             return clusters.places();
         }
-        let told = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_) | Pattern::Row)));
+        let told =
+            self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_) | Pattern::Row | Pattern::Aisle(_))));
         let Some(grid) = self.grid(a).filter(|grid| told && !grid.backs && !grid.faces) else { return Vec::new() };
         // Single seats stand as the room has them, unless an aisle runs between them.
         if self.group(a) == Group::Seat && grid.aisle == 0.0 {
