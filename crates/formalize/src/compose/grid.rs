@@ -47,9 +47,16 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         matches!(&f.what, FactKind::Rel(Rel::Around | Rel::At | Rel::InFrontOf | Rel::Near, to) if to == &[a])
             && brief.things[f.of[0]].group == Group::Seat
     });
+    // Two benches in the middle with their stools stand one behind the other.
+    let centred = brief
+        .facts
+        .iter()
+        .any(|f| f.of == [a] && !f.not && matches!(f.what, FactKind::Place(_, crate::brief::Place::Middle, _)));
+    let few = brief.things[a].group == Group::Table && (2..4).contains(&n) && seats && centred;
     // Tables with their seats stand in rows where nothing else is said.
     let rows = match rows {
         Some(rows) => rows,
+        None if few => n,
         None if brief.things[a].group == Group::Table && n >= 4 && seats && !crowded(brief, a) => {
             if middle > 0.0 {
                 2

@@ -368,7 +368,8 @@ fn line_of(plan: &Plan, noun: &str) -> Option<&'static Line> {
     // Nor is a desk to work at one at which visitors are received.
     let is_other = |line: &&Line| is_reception(noun) && line.noun != noun && !stand::are_kin(line.noun, noun);
     let mut lines = plan.kind.lines.iter().filter(|line| !is_kitchen(line) && !is_other(line));
-    lines.find(|line| stand::counts_as(line.noun, noun)).or_else(|| received(plan, noun))
+    let named = lines.clone().find(|line| line.noun == noun);
+    named.or_else(|| lines.find(|line| stand::counts_as(line.noun, noun))).or_else(|| received(plan, noun))
 }
 
 /// Whether many chairs are asked for in a room in which visitors are received and nobody sits at tables: they wait there.

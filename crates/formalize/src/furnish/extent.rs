@@ -46,6 +46,8 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     let usual = brief.rooms.get(at).and_then(|room| room.usual).map_or(area, |[w, _, d]| w * d);
     let counted = if is_free { usual.min(area) } else { area };
     let is_small = scale(brief, at) == Scale::Small;
+    // A side whose length the request gives keeps it.
+    let said = brief.rooms.get(at).map_or([None; 2], |room| [room.size[0], room.size[2]]);
     let once = |draft: &mut Draft| {
         let furnished = furnish_once(draft, brief, at, closed, (counted, First::Asked));
         // Nobody expects much room behind the chairs of a small room.
@@ -72,7 +74,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     }
     if furnished.wants() != [0; 3] {
         let most = if is_small { GROWN_SMALL } else { GROWN };
-        furnished = grow(draft, empty.clone(), (at, most), furnished, &once);
+        furnished = grow(draft, empty.clone(), (at, most, said), furnished, &once);
     }
     let kind = kinds::of(&draft.rooms[at].kind).or_else(|| kinds::of("room"));
     // A ward is as large as its beds need.
@@ -80,7 +82,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
     if scale(brief, at) != Scale::Large && !is_ward && draft.roomier == 0 {
         let most = kind.map_or(1.0, |kind| kind.idle);
         let least = if brief.facts.len() > FACTS { TOLD } else { LEAST } * counted;
-        shrink(draft, empty, at, (most, least), furnished, &once);
+        shrink(draft, empty, (at, said), (most, least), furnished, &once);
     }
 }
 
@@ -89,12 +91,12 @@ pub fn furnish(draft: &mut Draft, brief: &Brief, at: usize, closed: &[String]) {
 fn grow(
     draft: &mut Draft,
     mut empty: Draft,
-    (at, most): (usize, usize),
+    (at, most, said): (usize, usize, [Option<f64>; 2]),
     mut best: Furnished,
     furnish: &impl Fn(&mut Draft) -> Furnished,
 ) -> Furnished {
     for _ in 0..most {
-        for k in [0, 2] {
+        for k in [0, 2].into_iter().filter(|k| said[k / 2].is_none()) {
             empty.rooms[at].size[k] = (empty.rooms[at].size[k] * GROWTH * 10.0).ceil() / 10.0;
         }
         let mut larger = empty.clone();
@@ -114,7 +116,7 @@ fn grow(
 fn shrink(
     draft: &mut Draft,
     mut empty: Draft,
-    at: usize,
+    (at, said): (usize, [Option<f64>; 2]),
     (most, least): (f64, f64),
     mut now: Furnished,
     furnish: &impl Fn(&mut Draft) -> Furnished,
@@ -130,11 +132,13 @@ fn shrink(
     let own = draft.things.iter().filter(|thing| thing.room == Some(at));
     let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
     let mut try_sides = |draft: &mut Draft, now: &mut Furnished, [w, d]: [f64; 2]| {
-        let [w, d] = [w, d].map(|v| (v * 10.0).round() / 10.0);
-        if w * d < least - 1e-9 || w.max(d) < longest || w.max(d) > LONG * w.min(d) {
+        let round = |v: f64| (v * 10.0).round() / 10.0;
+        let [w, d] = [said[0].unwrap_or_else(|| round(w)), said[1].unwrap_or_else(|| round(d))];
+        let size = draft.rooms[at].size;
+        let is_long = w.max(d) > LONG * w.min(d) && said == [None; 2];
+        if w * d < least - 1e-9 || w.max(d) < longest || is_long || [w, d] == [size[0], size[2]] {
             return false;
         }
-        let size = draft.rooms[at].size;
         empty.rooms[at].size = [w, size[1], d];
         let mut smaller = empty.clone();
         let furnished = furnish(&mut smaller);

@@ -174,8 +174,10 @@ pub fn refine(brief: &mut Brief) {
             // "A cash register on a counter" is no till that stands on the floor.
             (known(noun) && !(rests && stand::group(noun) != Group::Top)).then(|| (*noun).to_owned())
         };
-        // "A double sink" has a name of its own, or one in such a room; a round table of a cafe is one of its tables.
-        let is_shape = |name: &str| name.starts_with("round ") && meant(&plain).is_some();
+        // "A double sink" has a name of its own, or one in such a room; a small round table of a cafe is one of its tables.
+        let is_small = thing.look.features.iter().any(|feature| feature == "small" || feature == "little")
+            || thing.places.is_some_and(|places| places <= 2);
+        let is_shape = |name: &str| is_small && name.starts_with("round ") && meant(&plain).is_some();
         let named = |(at, name): (usize, String)| match meant(&name) {
             Some(meant) => Some((at, meant)),
             None => (known(&name) && !is_shape(&name)).then_some((at, name)),
@@ -217,10 +219,16 @@ fn shaped_counter(brief: &mut Brief) {
         let is_worktop =
             matches!(&thing.words[..], [word] if matches!(word.as_str(), "counter" | "worktop" | "countertop"));
         let room = brief.rooms.get(thing.room).filter(|room| room.name == "kitchen");
-        if let (Some((_, kind)), true, Some(_), false) = (shape, is_worktop, room, is_told(brief, at)) {
+        if let (Some((letter, kind)), true, Some(_)) = (shape, is_worktop, room) {
             let room = thing.room;
             (*kind).clone_into(&mut brief.rooms[room].name);
-            gone.push(at);
+            if is_told(brief, at) {
+                // It is the part of the run of which something is said.
+                let shaped = format!("{letter}-shaped");
+                brief.things[at].look.features.retain(|feature| *feature != shaped);
+            } else {
+                gone.push(at);
+            }
         }
     }
     if !gone.is_empty() {
@@ -381,7 +389,8 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     let like = |line: &&kinds::Line| stand::counts_as(line.noun, &name);
     // "Desks" in a classroom are those of the pupils.
     let for_people = |line: &&kinds::Line| plural && like(line) && matches!(line.count, kinds::Count::People(_));
-    let own = kind.lines.iter().find(for_people).or_else(|| kind.lines.iter().find(like));
+    let named = kind.lines.iter().find(|line| for_people(line) && line.noun == name);
+    let own = named.or_else(|| kind.lines.iter().find(for_people)).or_else(|| kind.lines.iter().find(like));
     let least = (many && thing.part.is_none()).then_some(MANY);
     // "High tables" in a bar: as many as its people need, whatever they are called.
     let eats = |line: &&kinds::Line| {

@@ -43,6 +43,7 @@ pub fn is_pair(plan: &Plan, thing: usize) -> bool {
     };
     let only = about.all(|s| {
         among(plan, &s.text, &it.name).is_some()
+            || said_gap(plan, &s.text, &it.name).is_some()
             || s.text.contains("inside(")
             || s.text.contains("onFloor(")
             || goes_along(&s.text)
@@ -68,6 +69,20 @@ fn among(plan: &Plan, text: &str, pair: &str) -> Option<usize> {
                 .iter()
                 .any(|[a, b]| code.contains(&format!("between({},{pair}[{a}],{pair}[{b}])", thing.name)))
     })
+}
+
+/// How far apart a statement says the two are, in metres, and whether they may be farther.
+fn said_gap(plan: &Plan, text: &str, pair: &str) -> Option<(f64, bool)> {
+    let alone = plan.draft.things.iter().all(|thing| thing.name == pair || !mentions(text, &thing.name));
+    let code: String = text.split_whitespace().collect();
+    let number = |from: &str| -> Option<f64> {
+        let end = from.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(from.len());
+        from[..end].parse().ok()
+    };
+    let least = code.split_once("far(").and_then(|(_, rest)| number(rest.splitn(3, ',').nth(2)?));
+    let exact = code.strip_prefix("foralliin0..1:abs(gap(").and_then(|rest| number(rest.split_once(")-")?.1));
+    let said = least.map(|v| (v, true)).or(exact.map(|v| (v, false)));
+    said.filter(|_| alone)
 }
 
 /// Whether a thing is a curtain or a screen that can stand between two beds.
@@ -99,11 +114,19 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     let own = asked.and_then(|at| plan.draft.things[at].size).unwrap_or_else(|| Plan::size(USUAL));
     let has = asked.is_some() || !plan.is_closed(USUAL);
     let divided = asked.is_some_and(|at| divides(&plan.draft.things[at]));
+    let gap = plan.draft.statements.iter().find_map(|s| said_gap(plan, &s.text, &it.name));
+    let wide = |usual: f64| match gap {
+        Some((v, true)) => usual.max(v + 0.01),
+        Some((v, false)) => v,
+        None => usual,
+    };
     let (apart, middle) = if divided {
         let [left, right] = BESIDE_DIVIDER;
-        (left + own[2] + right, Slot { x: w / 2.0 + right + own[2] / 2.0, z: 0.0, level: Level::Floor, yaw: 90.0 })
+        let apart = wide(left + own[2] + right);
+        let right = right.min(apart - left - own[2]).max(0.05);
+        (apart, Slot { x: w / 2.0 + right + own[2] / 2.0, z: 0.0, level: Level::Floor, yaw: 90.0 })
     } else {
-        let apart = BETWEEN.max(own[0] + 2.0 * BESIDE);
+        let apart = wide(BETWEEN.max(own[0] + 2.0 * BESIDE));
         (apart, Slot { x: (w + apart) / 2.0, z: (own[2] - d) / 2.0, level: Level::Floor, yaw: 0.0 })
     };
     let across = Slot { x: w + apart, z: 0.0, level: Level::Floor, yaw: 0.0 };

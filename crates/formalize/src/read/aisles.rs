@@ -190,7 +190,7 @@ mod tests {
             ),
             ("desks in four rows, with an aisle down the middle.", "desks in four rows aisle=120 ."),
             ("40 chairs with a 1.5 m wide aisle down the middle", "40 chairs aisle=150"),
-            ("a shop with an aisle to the till", "a shop with an aisle to the till"),
+            ("a shop with an aisle to the door", "a shop with an aisle to the door"),
             ("a long row of lockers", "a long row of lockers"),
             ("a grocery with five aisles and a till.", "a grocery with five rows of shelves and a till ."),
         ] {

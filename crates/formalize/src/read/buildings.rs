@@ -36,7 +36,11 @@ pub fn plain(tokens: &mut Vec<Token>) {
     let is_article = |t: &Token| matches!(t.text.as_str(), "a" | "an" | "the" | "our" | "my" | "this");
     let at = tokens[..with].iter().rposition(is_article).map_or(0, |article| article + 1);
     let asked = at < with && tokens[at..with - 1].iter().any(|t| get().verb(std::slice::from_ref(t)).is_some());
-    if !NAMES.contains(&word(tokens, with - 1)) || asked || at >= with {
+    // "A dentist's practice" says what its treatment rooms are.
+    let name = tokens[at.min(with)..with].iter().map(|t| t.text.as_str()).collect::<Vec<_>>().join(" ");
+    let known =
+        matches!(word(tokens, with - 1), "practice" | "surgery") && crate::furnish::kinds::named(&name).is_some();
+    if known || !NAMES.contains(&word(tokens, with - 1)) || asked || at >= with {
         return;
     }
     if split(tokens, with) {

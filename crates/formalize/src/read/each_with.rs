@@ -1,6 +1,7 @@
 //! Where the list of what each has ends: in "four stations, each with a mirror and a chair, two basins and a sofa" each station
 //! has a mirror and a chair, and the room has the rest.
 
+use super::lexicon::get;
 use super::paraphrase::word;
 use super::shares::noun;
 use super::token::{Token, WordKind};
@@ -73,8 +74,10 @@ fn closing(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
 /// Whether a new thing is named here.
 fn item(tokens: &[Token], i: usize) -> bool {
     let counted = matches!(word(tokens, i), "a" | "an" | "some" | "one") || number(tokens, i).is_some_and(|n| n > 1);
+    // "Two bedrooms, each with its own bathroom, and a kitchen" are rooms, and are read as such.
+    let is_room = (1..=2).any(|n| get().room(word(tokens, i + n)).is_some());
     // Words that say what it is like stand before it.
-    counted && (1..=3).any(|n| noun(tokens, i + n).is_some())
+    counted && !is_room && (1..=3).any(|n| noun(tokens, i + n).is_some())
 }
 
 #[cfg(test)]

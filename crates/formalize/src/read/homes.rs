@@ -76,10 +76,16 @@ fn bunk_beds(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Two bedrooms, one with a double bed and one with a bunk bed", "one bedroom has a desk, the other bedroom has none": the
 /// first bedroom, and the second one.
 fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let named = |k: usize| matches!(word(tokens, k), "bedroom" | "bathroom" | "office");
-    let all = |k: &usize| matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices");
+    let all = |k: &usize| {
+        matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices") || word(tokens, *k).ends_with("-bedroom")
+    };
     let Some(plural) = (0..i).rev().find(all) else { return false };
-    let one = tokens[plural].text.trim_end_matches('s').to_owned();
+    let hyphened = tokens[plural].text.ends_with("-bedroom");
+    let one = if hyphened { "bedroom".to_owned() } else { tokens[plural].text.trim_end_matches('s').to_owned() };
+    if next_bedroom(tokens, i, &one) {
+        return true;
+    }
+    let named = |k: usize| matches!(word(tokens, k), "bedroom" | "bathroom" | "office");
     match [word(tokens, i), word(tokens, i + 1)] {
         ["one", name] if named(i + 1) && name == one => put(tokens, i, i + 1, &["the", "first"]),
         ["the", "other"] if named(i + 2) && word(tokens, i + 2) == one => put(tokens, i + 1, i + 2, &["second"]),
@@ -93,6 +99,26 @@ fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
         }
         _ => return false,
     }
+    true
+}
+
+/// "…, one bedroom with a double bed, and a smaller bedroom with a desk": sentences about the first and the second bedroom.
+fn next_bedroom(tokens: &mut Vec<Token>, i: usize, one: &str) -> bool {
+    let joins = |k: usize| k > 0 && (tokens[k - 1].is(",") || tokens[k - 1].is("and"));
+    let from = i - usize::from(joins(i)) - usize::from(joins(i) && joins(i - 1));
+    let told = (0..i).any(|k| word(tokens, k) == "first" && word(tokens, k + 1) == one);
+    let which = match word(tokens, i) {
+        "one" if !told => "first",
+        "a" | "another" | "the" | "one" if told => "second",
+        _ => return false,
+    };
+    let Some(name) = (i + 1..i + 3).find(|k| word(tokens, *k) == one) else { return false };
+    if from == i || word(tokens, name + 1) != "with" || matches!(word(tokens, i + 1), "first" | "second") {
+        return false;
+    }
+    put(tokens, name + 1, name + 2, &["has"]);
+    put(tokens, from, i + 1, &[".", "the", which]);
+    tokens[from].kind = WordKind::Sign('.');
     true
 }
 
@@ -358,6 +384,11 @@ mod tests {
             ("a flat with two rooms: a bedroom and a kitchen", "a flat with a bedroom and a kitchen"),
             ("a room for two boys with bunk beds", "a room for two boys with a bunk bed"),
             ("a room for four kids with bunk beds", "a room for four kids with bunk beds"),
+            (
+                "a two-bedroom flat with a living room with a sofa, one bedroom with a double bed, and a smaller bedroom with a desk.",
+                "a two-bedroom flat with a living room with a sofa . the first bedroom has a double bed . the second smaller bedroom \
+                 has a desk .",
+            ),
             ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
             ("a bedroom for my twin daughters", "a bedroom for twin daughters"),
             ("a studio where a couple sleeps and works", "a studio for a couple with a desk"),

@@ -417,6 +417,14 @@ fn opposite_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
     let other = on && word(tokens, i + 1) == "the" && word(tokens, i + 2) == "other";
     let one = |k: usize| word(tokens, k) == "one" && word(tokens, k + 1) == "wall";
     let goes_on = ends(tokens, i + 3) || matches!(word(tokens, i + 3), "with" | "and");
+    // "A screen on the short wall and a board on the wall opposite".
+    let opposite =
+        on && word(tokens, i + 1) == "the" && word(tokens, i + 2) == "wall" && word(tokens, i + 3) == "opposite";
+    let wall = tokens[..i].iter().rev().take(14).take_while(|t| !t.is(".")).any(|t| t.is("wall"));
+    if opposite && ends(tokens, i + 4) && wall {
+        put(tokens, i + 2, i + 4, &["opposite", "wall"]);
+        return true;
+    }
     if other && goes_on && (i.saturating_sub(12)..i).any(one) {
         put(tokens, i + 2, i + 3, &["opposite", "wall"]);
         return true;
@@ -581,6 +589,10 @@ mod tests {
             (
                 "six washers on one wall and six dryers on the other with a table in between",
                 "six washers on one wall and six dryers on the opposite wall with a table in between",
+            ),
+            (
+                "a screen on the short wall and a board on the wall opposite.",
+                "a screen on the short wall and a board on the opposite wall .",
             ),
             ("a window and a bed on the opposite wall", "a window and a bed on the wall opposite the window"),
             (

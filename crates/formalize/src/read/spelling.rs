@@ -11,9 +11,54 @@ use scenelang_lang::nouns::plural;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] =
-        [joined, and_one, each_of, stacked, each_wall, not_any, has_been, which_hangs, rows_with, circle_of];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 12] = [
+        covering,
+        on_both,
+        joined,
+        and_one,
+        each_of,
+        stacked,
+        each_wall,
+        not_any,
+        has_been,
+        which_hangs,
+        rows_with,
+        circle_of,
+    ];
     turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "Bookshelves covering two walls": along two walls.
+fn covering(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let that = usize::from(matches!(word(tokens, i), "that" | "which"));
+    let covers = matches!(word(tokens, i + that), "covering" | "cover" | "lining" | "filling");
+    let (first, second) = (word(tokens, i + that + 1), word(tokens, i + that + 2));
+    let walls =
+        matches!(first, "two" | "three" | "both" | "all" | "one") && matches!(second, "walls" | "wall" | "of" | "the");
+    let said = covers && walls && i > 0 && tokens[i - 1].word();
+    if said {
+        put(tokens, i, i + that + 1, &["along"]);
+    }
+    said
+}
+
+/// "Three paintings on each long wall": three on one of the two and three on the other.
+fn on_both(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "on"
+        && matches!(word(tokens, i + 1), "each" | "either" | "both")
+        && matches!(word(tokens, i + 2), "long" | "short" | "side")
+        && matches!(word(tokens, i + 3), "wall" | "walls");
+    let each = word(tokens, i + 1) != "both";
+    let Some(all) = counted(tokens, i, 2).filter(|all| said && each && all.noun.end == i) else { return false };
+    let of: Vec<Token> = tokens[all.noun.start - 1..all.noun.end].to_vec();
+    let side = word(tokens, i + 2).to_owned();
+    let like = tokens[i].clone();
+    let new = |text: &str| Token { text: text.to_owned(), ..like.clone() };
+    let mut words: Vec<Token> = ["on", "one", &side, "wall", "and"].map(new).to_vec();
+    words.extend(of);
+    words.extend(["on", "the", "opposite", "wall"].map(new));
+    tokens.splice(i..i + 4, words);
+    true
 }
 
 /// "A night stand", "an arm chair": one word, where the two are not a name of their own.
@@ -249,6 +294,11 @@ mod tests {
     fn other_spellings_become_usual_ones() {
         for (text, becomes) in [
             ("a night stand and two arm chairs", "a nightstand and two armchairs"),
+            ("bookshelves covering two walls and a table", "bookshelves along two walls and a table"),
+            (
+                "three paintings on each long wall.",
+                "three paintings on one long wall and three paintings on the opposite wall .",
+            ),
             ("a coffee table and a side table", "a coffee table and a side table"),
             ("two white chairs and one black.", "two white chairs and one black chair ."),
             ("two white chairs and one black stool.", "two white chairs and one black stool ."),
