@@ -17,7 +17,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         super::paraphrase::put(tokens, name.end, name.end + 1, &["has"]);
         return true;
     }
-    if after_each(tokens, i) {
+    if after_each(tokens, i) || both_for_each(tokens, i) {
         return true;
     }
     if word(tokens, i) != "each" || !matches!(word(tokens, i + 1), "with" | "has" | "have" | "having") {
@@ -45,6 +45,30 @@ fn after_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     let own = tokens[i + 1].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
     tokens.insert(i + 1, new(WordKind::Sign(','), ","));
+    true
+}
+
+/// "A cabinet and a chair for each bed": a cabinet for each as well.
+fn both_for_each(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "for" && matches!(word(tokens, i + 1), "each" | "every");
+    let Some(whom) = noun(tokens, i + 2).filter(|_| said) else { return false };
+    let article = |k: usize| matches!(word(tokens, k), "a" | "an");
+    // An article and a noun that ends before this token.
+    let before = |end: usize| {
+        (end.saturating_sub(6)..end)
+            .rev()
+            .find(|k| article(*k) && (1..=3).any(|n| noun(tokens, k + n).is_some_and(|name| name.end == end)))
+    };
+    let Some(second) = before(i) else { return false };
+    if second < 3 || word(tokens, second - 1) != "and" {
+        return false;
+    }
+    let end = second - 1 - usize::from(tokens[second - 2].is(","));
+    if before(end).is_none() {
+        return false;
+    }
+    let each: Vec<Token> = tokens[i..whom.end].to_vec();
+    tokens.splice(end..end, each);
     true
 }
 
@@ -96,6 +120,10 @@ mod tests {
                 "two beds , each with a locker , a lamp and a chair . there is a screen between them",
             ),
             ("two beds. each bed needs a locker and a stand.", "two beds . each bed has a locker and a stand ."),
+            (
+                "two beds, and a bedside cabinet and a chair for each bed.",
+                "two beds , and a bedside cabinet for each bed and a chair for each bed .",
+            ),
             ("two tables with six chairs each and a shelf", "two tables with six chairs each , and a shelf"),
             ("two desks, each with a lamp, and a sofa", "two desks , each with a lamp . there is a sofa"),
             (

@@ -230,10 +230,10 @@ impl Reader<'_> {
         } else if negative {
             self.not_at_place(i..next, &of, rel, place, &which);
         } else {
-            // "a table with two chairs in the corner": the table stands there.
+            // "a table with two chairs in the corner", "in the centre": the table stands there.
             let of = match &self.s.expect {
                 Expect::With(owner, Join::Usual)
-                    if place == Place::Corner
+                    if matches!(place, Place::Corner | Place::Middle)
                         && self.s.owned == of
                         && of.iter().all(|o| self.brief.things[*o].group == Group::Seat)
                         && chunks[i - 1].np().is_some() =>
