@@ -25,6 +25,8 @@ const WHY: &str = "two beds side by side share the nightstand between them";
 /// and for that and a chair to its left (metres).
 const DIVIDER: [f64; 2] = [0.2, 1.4];
 const BESIDE_DIVIDER: [f64; 2] = [0.64, 1.06];
+/// Beside a bed at least, where the two are said to be nearer to each other: a cabinet (metres).
+const CABINET: f64 = 0.52;
 
 /// Finds a place for a group, given those of the groups before it.
 type Seek<'s> = dyn Fn(&Floor, &Shape, &[Pose]) -> Option<Pose> + 's;
@@ -123,7 +125,7 @@ pub fn stand_up(plan: &mut Plan, thing: usize, seek: &Seek<'_>) -> bool {
     let (apart, middle) = if divided {
         let [left, right] = BESIDE_DIVIDER;
         let apart = wide(left + own[2] + right);
-        let right = right.min(apart - left - own[2]).max(0.05);
+        let right = right.min(apart - CABINET - own[2]).max(BESIDE);
         (apart, Slot { x: w / 2.0 + right + own[2] / 2.0, z: 0.0, level: Level::Floor, yaw: 90.0 })
     } else {
         let apart = wide(BETWEEN.max(own[0] + 2.0 * BESIDE));
