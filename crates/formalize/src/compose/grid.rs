@@ -66,27 +66,8 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
         }
         None => return None,
     };
-    let elsewhere = brief.facts.iter().any(|f| {
-        !f.not
-            && f.of.contains(&a)
-            && match &f.what {
-                FactKind::Place(_, place, _) => !matches!(place, crate::brief::Place::Middle),
-                FactKind::Rel(rel, _) => !matches!(
-                    rel,
-                    Rel::Facing
-                        | Rel::InFrontOf
-                        | Rel::LeftOf
-                        | Rel::RightOf
-                        | Rel::Behind
-                        | Rel::Far
-                        | Rel::Perpendicular
-                        | Rel::Opposite
-                ),
-                _ => false,
-            }
-    });
     let hung = matches!(brief.things[a].group, Group::Wall | Group::Ceiling | Group::Top | Group::Screen | Group::Soft);
-    if elsewhere || hung || n < 2 || exact && !n.is_multiple_of(rows) || brief.things[a].opening() {
+    if elsewhere(brief, a) || hung || n < 2 || exact && !n.is_multiple_of(rows) || brief.things[a].opening() {
         return None;
     }
     // A row to the left or right of something runs past it.
@@ -138,6 +119,29 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
     }
     let round = |v: f64| (v * 100.0).ceil() / 100.0;
     Some(Grid { rows, columns, steps: [round(w + beside), round(d + behind)], takes: whole, aisle, backs, faces })
+}
+
+/// Whether the request says where an array stands otherwise than in rows.
+fn elsewhere(brief: &Brief, a: usize) -> bool {
+    brief.facts.iter().any(|f| {
+        !f.not
+            && f.of.contains(&a)
+            && match &f.what {
+                FactKind::Place(_, place, _) => !matches!(place, crate::brief::Place::Middle),
+                FactKind::Rel(rel, _) => !matches!(
+                    rel,
+                    Rel::Facing
+                        | Rel::InFrontOf
+                        | Rel::LeftOf
+                        | Rel::RightOf
+                        | Rel::Behind
+                        | Rel::Far
+                        | Rel::Perpendicular
+                        | Rel::Opposite
+                ),
+                _ => false,
+            }
+    })
 }
 
 /// How far the elements of an array stand from each other at least, side by side and one behind the other (metres).

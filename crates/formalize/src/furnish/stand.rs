@@ -309,7 +309,8 @@ pub fn placed_where(draft: &Draft, name: &str, other: Option<&str>, counts: &dyn
         // Two on both sides of a table face each other.
         let related = related || s.text.contains(&format!("facing({name}[2 * i], {name}["));
         // Free space behind a seat says nothing of where the seat is.
-        let is_space = group(&name.to_lowercase()) == Group::Seat && s.text.contains(": clear(a, behind, ");
+        let seat = draft.things.iter().any(|thing| thing.name == name && group(&thing.category) == Group::Seat);
+        let is_space = seat && s.text.contains(": clear(a, behind, ");
         !related && !is_space && !s.text.contains("onFloor(")
     })
 }

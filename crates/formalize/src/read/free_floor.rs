@@ -1,6 +1,7 @@
 //! Floor that is to stay free: "a clear area of 4 by 4 m", "keep the middle of the room empty", "leave 2 m by 3 m free in the
 //! middle". A marked area of the floor is placed there, and nothing may stand on it or reach over it.
 
+use super::lexicon::{get, singular};
 use super::number;
 use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
@@ -8,7 +9,7 @@ use crate::brief::{Brief, Fact, FactKind, Side};
 
 /// What the marked area is called.
 pub(super) const AREA: &str = "free area";
-/// Nothing may be above it up to here, in metres: the height of a person with raised arms is above a door's.
+/// Nothing may be above it up to here, in metres: as high as a door.
 const HEIGHT: f64 = 2.0;
 const FREE: [&str; 5] = ["free", "clear", "empty", "open", "unobstructed"];
 const MIDDLE: [&str; 3] = ["middle", "centre", "center"];
@@ -94,11 +95,12 @@ fn middle(tokens: &[Token], i: usize) -> Option<usize> {
 
 /// What the free floor is for, to the end of the clause: "for yoga", "so the player can turn around".
 fn purpose(tokens: &[Token], i: usize) -> usize {
-    let comma = usize::from(tokens.get(i).is_some_and(|t| t.is(",")));
-    let says = matches!(word(tokens, i + comma), "so" | "for" | "to" | "where");
+    let says = matches!(word(tokens, i), "so" | "for" | "to" | "where");
     let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ',' | '!'));
-    let rest = tokens[(i + comma).min(tokens.len())..].iter().take_while(|t| !ends(t)).count();
-    if says && rest <= 10 { i + comma + rest } else { i }
+    let rest = tokens[i.min(tokens.len())..].iter().take_while(|t| !ends(t)).count();
+    // What names a thing asks for more than that.
+    let names = tokens[i.min(tokens.len())..].iter().take(rest).any(|t| get().noun(&singular(&t.text)).is_some());
+    if says && rest <= 10 && !names { i + rest } else { i }
 }
 
 /// "Keep the middle of the room clear", "the middle of the floor should stay empty": a free area in the middle.
@@ -117,7 +119,8 @@ fn left_free(tokens: &mut Vec<Token>, i: usize) -> bool {
     let free = end + verb;
     let says = FREE.contains(&word(tokens, free)) && (keeps || verb > 0);
     let goes_on = purpose(tokens, free + 1);
-    if !starts || !says || !(goes_on > free + 1 || ends(tokens, free + 1)) {
+    let closes = ends(tokens, free + 1) || matches!(word(tokens, free + 1), "so" | "for" | "to" | "where");
+    if !starts || !says || !closes {
         return false;
     }
     let words = ["there", "is", "a", "free", "area", "in", "the", "middle", "of", "the", "room"];
@@ -179,6 +182,10 @@ mod tests {
             (
                 "the middle of the floor should stay empty so the player can turn around.",
                 "there is a free area in the middle of the room .",
+            ),
+            (
+                "keep the middle of the room clear, so put the sofa at the wall.",
+                "there is a free area in the middle of the room , so put the sofa at the wall .",
             ),
             ("leave 2 m by 3 m free in the middle", "there is a free area of 2 m by 3 m in the middle"),
             ("a gym with an open space in the middle", "a gym with a free area in the middle"),

@@ -34,13 +34,7 @@ impl Named<'_> {
         });
         let behind = behind.flat_map(|f| f.of.iter().filter(|of| !hangs(of)));
         let deep = behind.map(|of| self.sizes[*of][0].max(self.sizes[*of][2])).reduce(f64::max);
-        let up = matches!(group, Group::Wall | Group::Screen | Group::Drape)
-            || matches!(rel, Rel::Mounted | Rel::Hang)
-            || rel == Rel::On
-                && !matches!(group, Group::Table | Group::Seat | Group::Bed)
-                && !self.tall(a)
-                && !self.is_heavy(a)
-            || group == Group::Ceiling;
+        let up = self.is_hung(a, rel);
         // Nothing that hangs on a wall leaves room for what is behind it.
         let verb = if up && deep.is_some() && place == Place::Wall && !opening { "prefer" } else { verb };
         let mut say = |text: String| out.push(format!("{verb} {text};"));
@@ -114,6 +108,15 @@ impl Named<'_> {
             }
             Place::Row | Place::Circle => {}
         }
+    }
+
+    /// Whether a thing that has this relation to a wall hangs there.
+    fn is_hung(&self, a: usize, rel: Rel) -> bool {
+        let group = self.group(a);
+        let stands = matches!(group, Group::Table | Group::Seat | Group::Bed) || self.tall(a) || self.is_heavy(a);
+        matches!(group, Group::Wall | Group::Screen | Group::Drape | Group::Ceiling)
+            || matches!(rel, Rel::Mounted | Rel::Hang)
+            || rel == Rel::On && !stands
     }
 
     /// What nobody hangs up: "dryers on the opposite wall" stand there, and so does a fireplace.

@@ -147,39 +147,13 @@ impl Named<'_> {
                 }
                 None => return None,
             },
-            Pattern::Circle => {
-                let around = self.centre_of(a);
-                match around {
-                    Some(b) => {
-                        let drawn = if self.group(a) == Group::Seat { self.seat_gap(b) } else { AROUND };
-                        format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
-                    }
-                    None if RING.contains(&n) => self.in_ring(a, false),
-                    None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
-                }
-            }
+            Pattern::Circle => self.circle(a),
             Pattern::Arc if RING.contains(&n) => match self.faced(a) {
                 Some(b) => self.in_arc(a, b),
                 None => self.in_ring(a, true),
             },
             Pattern::Arc => return None,
-            Pattern::Aisle(wide) => {
-                let grid =
-                    self.grid(a).filter(|grid| grid.columns.is_multiple_of(2) && n.is_multiple_of(grid.columns))?;
-                let (k, half) = (grid.columns, grid.columns / 2);
-                let (left, right) = (half - 1, half);
-                let apart = format!(
-                    "forall r in 0..{}: far({of}[{k} * r + {left}], {of}[{k} * r + {right}], {})",
-                    n / k,
-                    number(f64::from(wide) / 100.0)
-                );
-                // Rows of which nobody says how many.
-                let told = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_))));
-                match self.rows(a).filter(|_| !told) {
-                    Some(rows) => format!("({rows}) and {apart}"),
-                    None => apart,
-                }
-            }
+            Pattern::Aisle(wide) => return self.parted(a, f64::from(wide) / 100.0),
             Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
             Pattern::BackToBack => format!(
                 "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175",
@@ -191,6 +165,34 @@ impl Named<'_> {
             ),
             Pattern::Stacked => format!("forall i in 1..{n}: on({of}[i], {of}[i - 1])"),
             Pattern::Opens | Pattern::OpensBy(_) | Pattern::SlidesBy(_) => return None,
+        })
+    }
+
+    /// A circle around something, or around nothing.
+    fn circle(&self, a: usize) -> String {
+        let (of, n) = (self.name(a), self.counts[a]);
+        match self.centre_of(a) {
+            Some(b) => {
+                let drawn = if self.group(a) == Group::Seat { self.seat_gap(b) } else { AROUND };
+                format!("around({of}, {}, {})", self.name(b), number(drawn.max(self.ring(a, b))))
+            }
+            None if RING.contains(&n) => self.in_ring(a, false),
+            None => format!("forall i in 0..{}: near({of}[i], {of}[i + 1], {})", n - 1, number(AROUND)),
+        }
+    }
+
+    /// Rows that an aisle of so many metres parts in halves; the rows themselves are said elsewhere if their number is.
+    fn parted(&self, a: usize, wide: f64) -> Option<String> {
+        let (of, n) = (self.name(a), self.counts[a]);
+        let grid = self.grid(a).filter(|grid| grid.columns.is_multiple_of(2) && n.is_multiple_of(grid.columns))?;
+        let (k, half) = (grid.columns, grid.columns / 2);
+        let (left, right) = (half - 1, half);
+        let apart =
+            format!("forall r in 0..{}: far({of}[{k} * r + {left}], {of}[{k} * r + {right}], {})", n / k, number(wide));
+        let told = self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_))));
+        Some(match self.rows(a).filter(|_| !told) {
+            Some(rows) => format!("({rows}) and {apart}"),
+            None => apart,
         })
     }
 
