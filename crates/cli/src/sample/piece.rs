@@ -254,8 +254,10 @@ impl Piece {
     /// # Errors
     /// Which files are in the way; what the file system says.
     pub fn finish(self, inputs: &[&Path], force: bool) -> Result<(), String> {
+        let journal = self.folder.join(journal_of(&self.range()));
+        // A run that ended right after the record was written has left its journal.
         if self.is_recorded {
-            return Ok(());
+            return removed(&journal);
         }
         let range = self.range();
         let record = Record {
@@ -270,10 +272,15 @@ impl Piece {
         let files = [OutFile::new(file_of(&range), self.text), OutFile::new(record_of(&range), record)];
         replace::folder(&self.folder, &files, inputs, May { force, these: &[] })?;
         drop(self.journal);
-        match fs::remove_file(self.folder.join(journal_of(&range))) {
-            Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(format!("cannot remove a temporary file: {e}")),
-            _ => Ok(()),
-        }
+        removed(&journal)
+    }
+}
+
+/// Removes a journal that is no longer needed, if there is one.
+fn removed(journal: &Path) -> Result<(), String> {
+    match fs::remove_file(journal) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(format!("cannot remove {}: {e}", journal.display())),
+        _ => Ok(()),
     }
 }
 

@@ -166,6 +166,22 @@ fn samples_continue_after_an_end_at_any_moment() {
     assert_eq!(results(&folder.join("killed")), results(&folder.join("whole")));
 }
 
+/// A run may end after its record is written and before its journal is removed.
+#[test]
+fn a_journal_beside_its_record_is_removed() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("room.scene"), ROOM).unwrap();
+    sample(folder, &["-n", "4", "-o", "out"]);
+    let before = results(&folder.join("out"));
+    let journal = folder.join("out/.scenelang-samples-000000000.journal");
+    fs::write(&journal, "{\"format\": \"cut off").unwrap();
+    let again = sample(folder, &["-n", "4", "-o", "out"]);
+    assert!(again.stdout.starts_with("4 samples were drawn before"), "{again:?}");
+    assert!(!journal.exists());
+    assert_eq!(results(&folder.join("out")), before);
+}
+
 #[test]
 fn a_contradiction_has_no_sample() {
     let folder = tempfile::tempdir().unwrap();
