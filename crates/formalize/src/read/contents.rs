@@ -199,7 +199,8 @@ fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "At the front of the classroom": at the front. "At the far end": at the back.
 fn end_of_room(tokens: &mut Vec<Token>, i: usize) -> bool {
     let far = matches!(word(tokens, i), "at" | "in") && word(tokens, i + 1) == "the" && word(tokens, i + 2) == "far";
-    if far && word(tokens, i + 3) == "end" && (ends(tokens, i + 4) || word(tokens, i + 4) == "of") {
+    let goes_on = matches!(word(tokens, i + 4), "of" | "with" | "for" | "next" | "behind" | "near" | "facing");
+    if far && word(tokens, i + 3) == "end" && (ends(tokens, i + 4) || goes_on) {
         put(tokens, i + 2, i + 4, &["back"]);
     }
     let end = matches!(word(tokens, i), "at" | "in") && word(tokens, i + 1) == "the";
@@ -243,7 +244,7 @@ mod tests {
             ),
             ("a stack of three boxes stands here", "three boxes on top of each other stand here"),
             ("a table occupies the corner", "a table stands in the corner"),
-            ("a study lined with bookcases", "a study with bookcases along the walls"),
+            ("a study lined with bookcases", "a study with 6 bookcases against the walls"),
             ("the walls are lined with shelves.", "shelves stand along the walls ."),
             ("a classroom with a desk at the front of the classroom", "a classroom with a desk at the front"),
             ("a shop with a checkout at the far end", "a shop with a checkout at the back"),

@@ -17,7 +17,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         super::paraphrase::put(tokens, name.end, name.end + 1, &["has"]);
         return true;
     }
-    if after_each(tokens, i) || both_for_each(tokens, i) {
+    if after_each(tokens, i) || both_for_each(tokens, i) || on_each(tokens, i) {
         return true;
     }
     if word(tokens, i) != "each" || !matches!(word(tokens, i + 1), "with" | "has" | "have" | "having") {
@@ -27,11 +27,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let end = tokens[i..].iter().position(stops).map_or(tokens.len(), |n| i + n);
     let Some(comma) = closing(tokens, i + 2, end) else { return false };
     let and = usize::from(matches!(word(tokens, comma + 1), "and" | "plus"));
-    let verb = if word(tokens, comma + 1 + and) == "a" || word(tokens, comma + 1 + and) == "an" { "is" } else { "are" };
-    let own = tokens[comma].clone();
-    let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
-    let words = [new(WordKind::Sign('.'), "."), new(WordKind::Word, "there"), new(WordKind::Word, verb)];
-    tokens.splice(comma..=comma + and, words);
+    goes_on(tokens, comma, and);
     true
 }
 
@@ -46,6 +42,29 @@ fn after_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
     tokens.insert(i + 1, new(WordKind::Sign(','), ","));
     true
+}
+
+/// "Tables with a candle on each, a bar with stools, and a stand": the bar and the stand are there once.
+fn on_each(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "on" | "at" | "beside" | "above" | "under" | "behind")
+        && word(tokens, i + 1) == "each"
+        && tokens.get(i + 2).is_some_and(|t| t.is(","));
+    let and = usize::from(matches!(word(tokens, i + 3), "and" | "plus"));
+    let with = || tokens[..i].iter().rev().take(8).any(|t| t.is("with"));
+    if !said || !item(tokens, i + 3 + and) || !with() {
+        return false;
+    }
+    goes_on(tokens, i + 2, and);
+    true
+}
+
+/// Ends a list at a comma, after which another begins.
+fn goes_on(tokens: &mut Vec<Token>, comma: usize, and: usize) {
+    let verb = if word(tokens, comma + 1 + and) == "a" || word(tokens, comma + 1 + and) == "an" { "is" } else { "are" };
+    let own = tokens[comma].clone();
+    let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
+    let words = [new(WordKind::Sign('.'), "."), new(WordKind::Word, "there"), new(WordKind::Word, verb)];
+    tokens.splice(comma..=comma + and, words);
 }
 
 /// "A cabinet and a chair for each bed": a cabinet for each as well.
@@ -129,6 +148,10 @@ mod tests {
             (
                 "two desks, each with a lamp, a chair, and a monitor",
                 "two desks , each with a lamp , a chair , and a monitor",
+            ),
+            (
+                "tables with a cloth and a candle on each, a bar with six stools, and a stand",
+                "tables with a cloth and a candle on each . there is a bar with six bar stools , and a stand",
             ),
             ("two desks, each with a lamp and a chair", "two desks , each with a lamp and a chair"),
             (

@@ -26,7 +26,43 @@ const NEAR: usize = 5;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    storage(tokens, i) || tires(tokens, i) || stools(tokens, i) || partners(tokens, i)
+    racking(tokens, i)
+        || timber(tokens, i)
+        || storage(tokens, i)
+        || tires(tokens, i)
+        || stools(tokens, i)
+        || partners(tokens, i)
+}
+
+/// "Tall pallet racking": racks. "Clamps hanging up": on the wall.
+fn racking(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) == "racking" {
+        put(tokens, i, i + 1, &["racks"]);
+        return true;
+    }
+    let hung = matches!(word(tokens, i), "hanging" | "hung") && word(tokens, i + 1) == "up";
+    if hung && i > 0 && super::paraphrase::ends(tokens, i + 2) && plural(word(tokens, i - 1)) {
+        put(tokens, i, i + 2, &["hanging", "on", "the", "wall"]);
+        return true;
+    }
+    false
+}
+
+/// "Timber stacked in a corner", "a stack of wood": a pile.
+fn timber(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WOOD: [&str; 6] = ["timber", "lumber", "wood", "firewood", "logs", "planks"];
+    if WOOD.contains(&word(tokens, i)) && matches!(word(tokens, i + 1), "stacked" | "piled") {
+        let up = usize::from(word(tokens, i + 2) == "up");
+        put(tokens, i, i + 2 + up, &["a", "wood", "pile"]);
+        return true;
+    }
+    let stacked = matches!([word(tokens, i), word(tokens, i + 1)], ["stack" | "pile" | "stacks" | "piles", "of"]);
+    if stacked && WOOD.contains(&word(tokens, i + 2)) {
+        let piles = if word(tokens, i).ends_with('s') { "piles" } else { "pile" };
+        put(tokens, i, i + 3, &["wood", piles]);
+        return true;
+    }
+    false
 }
 
 /// "Lots of toy storage": a toy shelf and a toy box.
@@ -145,6 +181,13 @@ mod tests {
             ("three chairs, each in front of a mirror", "three chairs in front of 3 mirrors"),
             ("three sculptures on pedestals", "three sculptures on 3 pedestals"),
             ("ten books on shelves", "ten books on shelves"),
+            ("four rows of tall pallet racking", "four rows of tall pallet racks"),
+            (
+                "clamps hanging up and timber stacked in a corner",
+                "clamps hanging on the wall and a wood pile in a corner",
+            ),
+            ("a pile of firewood", "a wood pile"),
+            ("a picture hung up high", "a picture hung up high"),
         ] {
             assert_eq!(paraphrase::plainly(text), becomes);
         }

@@ -10,7 +10,9 @@
 //! of which nothing came is in the notes. It takes time in proportion to the text.
 
 mod account;
+mod activities;
 mod aisles;
+mod amounts;
 mod annexes;
 mod areas;
 mod buildings;

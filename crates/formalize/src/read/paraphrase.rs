@@ -9,8 +9,10 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 68] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 70] = [
             super::spelling::plain,
+            super::activities::plain,
+            super::amounts::plain,
             super::annexes::plain,
             super::each_with::plain,
             super::free_floor::plain,

@@ -9,7 +9,10 @@ use std::ops::Range;
 /// How many people are spoken of right after "for", and how many tokens that takes: "six", "six people".
 fn after_for(rest: &[Token]) -> Option<(f64, usize)> {
     // "A table for eight and a sideboard".
-    const GO_ON: [&str; 11] = ["and", "with", "plus", "in", "at", "near", "by", "under", "next", "beside", "where"];
+    const GO_ON: [&str; 15] = [
+        "and", "with", "plus", "in", "at", "near", "by", "under", "next", "beside", "where", "along", "against",
+        "down", "on",
+    ];
     let (n, words) = number::count(rest)?;
     // "For six" without a noun speaks of people, too.
     let ends = |who: &Token| {

@@ -8,8 +8,8 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token, or ends there; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
-        [banned, not_to_be, not_the, not_stored, instead, altogether, mended, ordinal];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
+        [banned, not_to_be, not_the, not_stored, instead, rather_than, altogether, mended, ordinal];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -114,6 +114,24 @@ fn instead(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A proper bed rather than a sofa bed and a desk": no sofa bed, and a desk.
+fn rather_than(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "rather" && word(tokens, i + 1) == "than";
+    let article = usize::from(matches!(word(tokens, i + 2), "a" | "an" | "the" | "any"));
+    let first = i + 2 + article;
+    let Some(name) = super::shares::noun(tokens, first).filter(|_| said && begin(tokens, i) < i) else { return false };
+    if !ends(tokens, name.end) {
+        return false;
+    }
+    let comma = Token { kind: WordKind::Sign(','), text: ",".to_owned(), ..tokens[i].clone() };
+    if tokens.get(name.end).is_some_and(|t| t.is("and")) {
+        tokens.insert(name.end, comma.clone());
+    }
+    put(tokens, i, first, &["no"]);
+    tokens.insert(i, comma);
+    true
+}
+
 /// "Fire extinguishers, six altogether", "shelves, three pieces": six, three in number.
 fn altogether(tokens: &mut Vec<Token>, i: usize) -> bool {
     let words = match (word(tokens, i), word(tokens, i + 1)) {
@@ -205,6 +223,8 @@ mod tests {
             ("cups shall not be stored in the cupboard.", "cups shall not be stored in the cupboard ."),
             ("instead of a sofa there is a bench", "no sofa ; there is a bench"),
             ("a bench instead of a sofa", "a bench instead of a sofa"),
+            ("a proper bed rather than a sofa bed and a desk", "a proper bed , no sofa bed , and a desk"),
+            ("near the door rather than the window side", "near the door rather than the window side"),
             ("lamps, six altogether, hang", "lamps , six in number , hang"),
             ("shelves along the wall, three pieces.", "shelves along the wall , three in number ."),
             ("a chess board, three pieces on it", "a chess board , three pieces on it"),

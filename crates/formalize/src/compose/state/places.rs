@@ -8,6 +8,10 @@ use scenelang_lang::roles;
 
 /// Beside what stands between something and a wall so much is free (metres).
 const PASS: f64 = 0.6;
+/// Around a table so much is free for those who sit at it (metres): a chair that is pulled out, and somebody who passes.
+const SEATED: f64 = 1.2;
+/// At two sides of a table in a corner so many sit.
+const AT_TWO_SIDES: usize = 3;
 /// What is so many times deeper than wide has its long sides at its left and right.
 const LONGER: f64 = 1.2;
 
@@ -202,6 +206,17 @@ impl Named<'_> {
             return;
         }
         let (of, n) = (self.name(a), self.counts[a]);
+        if n == 1 && self.has_places_around(a) {
+            // People sit at all its sides: as near the corner as their chairs let it be.
+            let reach = number(((self.sizes[a][0].max(self.sizes[a][2]) / 2.0 + SEATED) * 10.0).ceil() / 10.0);
+            say(format!(
+                "{room}.size.x / 2 - abs({of}.center.x - {room}.center.x) <= {reach} and {room}.size.z / 2 - abs({of}.center.z - {room}.center.z) <= {reach}"
+            ));
+            if let Some(text) = self.side(a, which) {
+                say(text);
+            }
+            return;
+        }
         if self.array(a) && !which.iter().any(|w| w == "each") {
             // Several in one corner: the others by the first.
             say(format!("inCorner({of}[0], {room})"));
@@ -223,6 +238,14 @@ impl Named<'_> {
             }
             out.push(format!("prefer {};", self.all(a, |x| format!("gap({x}, {room}) <= 0.5"))));
         }
+    }
+
+    /// Whether more people sit at a table than find a place at two of its sides: "a meeting table for six".
+    fn has_places_around(&self, a: usize) -> bool {
+        let thing = &self.brief.things[a];
+        thing.group == Group::Table
+            && thing.head().ends_with("table")
+            && thing.places.is_some_and(|places| places > AT_TWO_SIDES)
     }
 
     /// Whether it is said to be on or in something.

@@ -156,7 +156,7 @@ impl Named<'_> {
             Pattern::Aisle(wide) => return self.parted(a, f64::from(wide) / 100.0),
             Pattern::SideBySide => format!("forall i in 0..{}: beside({of}[i], {of}[i + 1])", n - 1),
             Pattern::BackToBack => format!(
-                "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175",
+                "forall i in 0..{}: behind({of}[2 * i], {of}[2 * i + 1]) and near({of}[2 * i], {of}[2 * i + 1], 0.1) and angle({of}[2 * i].front, {of}[2 * i + 1].front) >= 175 and abs(dot({of}[2 * i + 1].center - {of}[2 * i].center, {of}[2 * i].right)) <= 0.05",
                 n / 2
             ),
             Pattern::FaceToFace => format!(

@@ -183,6 +183,7 @@ impl Named<'_> {
                 let to = to.first().map_or("", String::as_str);
                 out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
                 out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
+                out.push(format!("{verb} forall i in 1..{}: {of}[i].rot = {of}[0].rot;", self.counts[a]));
             }
             // Across from each other, but not each has one of the others straight before it.
             Rel::Opposite if self.array(a) && self.array(b) => {
@@ -194,6 +195,14 @@ impl Named<'_> {
             Rel::Facing if gb == Group::Window && self.counts[a] == 1 && self.counts[b] == 1 && self.sat_at(a) => {
                 out.push(format!("{verb} {};", pairs(&far(AT_WINDOW))));
                 out.push(format!("{verb} {};", pairs(&|x, y| format!("behind({y}, {x})"))));
+            }
+            // Who runs on treadmills that face the windows looks out of them.
+            Rel::Facing if gb == Group::Window && self.brief.things[a].head() == "treadmill" => {
+                let (of, to) = (self.name(a), self.elements(b));
+                let to = to.first().map_or("", String::as_str);
+                out.push(format!(
+                    "{verb} forall a in {of}: abs(dot(a.front, {to}.front)) >= 0.99 and dot({to}.center - a.center, a.front) <= 0;"
+                ));
             }
             // Who sits at a desk that faces the door sees who comes in.
             Rel::Facing if gb == Group::Door && self.counts[a] == 1 && self.counts[b] == 1 && self.sat_at(a) => {
