@@ -55,6 +55,8 @@ pub struct DraftRoom {
     pub size: [f64; 3],
     /// Whether the request gave the size (else it is what its content needs).
     pub sized: bool,
+    /// Width and depth that the rows need which are asked for, in metres; zero without rows.
+    pub rows: [f64; 2],
     /// The floor's outline in metres (x, z in the scene), where it is no rectangle.
     pub outline: Option<Vec<[f64; 2]>>,
     /// The look of its floor.

@@ -149,7 +149,9 @@ fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
     // Racks stand end to end, with an aisle before each row.
     let thing = &brief.things[a];
     let is_rack = thing.group == Group::Storage || thing.words.last().is_some_and(|word| word == "rack");
-    let (mut beside, mut behind) = if is_rack { RACKS } else { (0.5_f64, 0.8) };
+    // Between the benches of a laboratory stand their sinks.
+    let is_bench = thing.group == Group::Table && thing.head().ends_with("bench");
+    let (mut beside, mut behind) = if is_rack { RACKS } else { (if is_bench { 0.7 } else { 0.5 }, 0.8) };
     for f in &brief.facts {
         let own = f.of.contains(&a);
         match &f.what {

@@ -59,7 +59,7 @@ pub fn compose(brief: &Brief) -> Draft {
         }
     }
     declare(brief, &given, &counts, &sizes, &room_sizes, &mut draft);
-    draft.rooms = made_rooms(brief, &room_names, &room_sizes);
+    draft.rooms = made_rooms(brief, &room_names, &room_sizes, &sizes);
     crate::storey::lay_out(&mut draft, brief, &mut names);
     for (size, room) in room_sizes.iter_mut().zip(&draft.rooms) {
         *size = room.size;
@@ -199,7 +199,7 @@ fn told_apart(brief: &Brief, given: &[Vec<String>], draft: &mut Draft) {
 }
 
 /// The rooms, not yet beside each other.
-fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<DraftRoom> {
+fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]], things: &[[f64; 3]]) -> Vec<DraftRoom> {
     let mut out = Vec::new();
     for (i, room) in brief.rooms.iter().enumerate() {
         let source = match &room.source {
@@ -215,6 +215,7 @@ fn made_rooms(brief: &Brief, names: &[String], sizes: &[[f64; 3]]) -> Vec<DraftR
             at: [0.0; 2],
             size: sizes[i],
             sized,
+            rows: sizes::rows(brief, things, i),
             outline,
             floor: floor(&room.floor),
             walls: surface(&room.walls),

@@ -367,12 +367,7 @@ pub fn rooms(brief: &Brief, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
                 along += n * (w + 0.35);
             }
         }
-        let mut grids = [0.0_f64; 2];
-        for i in (0..brief.things.len()).filter(|i| brief.things[*i].room == r) {
-            if let Some(g) = super::grid::grid(brief, sizes, i, None) {
-                grids = [grids[0].max(g.takes[0]), grids[1] + g.takes[1]];
-            }
-        }
+        let grids = rows(brief, sizes, r);
         let apart = distances(brief, r);
         need = need * 1.7 + apart * 3.0;
         let side = (along / 4.0 * 1.5).max(widest).max(apart + 2.2);
@@ -409,6 +404,13 @@ pub fn rooms(brief: &Brief, sizes: &[[f64; 3]]) -> Vec<[f64; 3]> {
         out.push([w, h, d].map(|v| ((v * 1000.0).round() / 1000.0).clamp(0.5, 500.0)));
     }
     out
+}
+
+/// What the rows take that are asked for in a room (x, z); zero without rows.
+pub fn rows(brief: &Brief, sizes: &[[f64; 3]], room: usize) -> [f64; 2] {
+    let own = (0..brief.things.len()).filter(|i| brief.things[*i].room == room);
+    let grids = own.filter_map(|i| super::grid::grid(brief, sizes, i, None));
+    grids.fold([0.0_f64; 2], |all, g| [all[0].max(g.takes[0]), all[1] + g.takes[1]])
 }
 
 /// How far apart the things of an array are to be.

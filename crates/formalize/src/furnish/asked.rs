@@ -351,6 +351,15 @@ fn is_elsewhere(plan: &Plan, thing: usize) -> bool {
     let mut about = stated.filter(|s| mentions(&s.text, &it.name));
     let is_before = |line: &Line| matches!(line.place, PlanPlace::Before(_, 0.0));
     let is_taught = plan.kind.is_taught() && line_of(plan, &it.category.replace('_', " ")).is_some_and(is_before);
+    // Seats look at the stage wherever it is, and at a wall it is anyway.
+    let is_back = line_of(plan, &it.category.replace('_', " ")).is_some_and(|l| matches!(l.place, PlanPlace::Back(_)));
+    let at_wall = format!("againstWall({}, {})", it.name, plan.room_name());
+    let looked_at = [format!("facing(a, {})", it.name), format!("dot({}.center - a.center, a.front) >= 0", it.name)];
+    let is_free =
+        |s: &Statement| s.text.contains(&at_wall) || looked_at.iter().any(|looks| s.text.contains(looks.as_str()));
+    if is_back && about.clone().all(is_free) {
+        return false;
+    }
     plan.is_placed(thing) && !(is_taught && about.all(|s| s.text == half || s.text.contains(&usual)))
 }
 

@@ -34,6 +34,8 @@ const FACTS: usize = 2;
 const TOLD: f64 = 0.8;
 /// What is left of the longer wall beside the longest thing (metres).
 const BESIDE: f64 = 0.1;
+/// Beside the rows that are asked for, and before and behind them (metres).
+const BESIDE_ROWS: f64 = 1.2;
 /// A room is no longer than so many times its width.
 const LONG: f64 = 1.7;
 
@@ -131,12 +133,14 @@ fn shrink(
     };
     let own = draft.things.iter().filter(|thing| thing.room == Some(at));
     let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
+    let rows = draft.rooms[at].rows;
     let mut try_sides = |draft: &mut Draft, now: &mut Furnished, [w, d]: [f64; 2]| {
         let round = |v: f64| (v * 10.0).round() / 10.0;
         let [w, d] = [said[0].unwrap_or_else(|| round(w)), said[1].unwrap_or_else(|| round(d))];
         let size = draft.rooms[at].size;
         let is_long = w.max(d) > LONG * w.min(d) && said == [None; 2];
-        if w * d < least - 1e-9 || w.max(d) < longest || is_long || [w, d] == [size[0], size[2]] {
+        let is_narrow = rows[0] > 0.0 && (w < rows[0] + BESIDE_ROWS || d < rows[1] + BESIDE_ROWS);
+        if w * d < least - 1e-9 || w.max(d) < longest || is_long || is_narrow || [w, d] == [size[0], size[2]] {
             return false;
         }
         empty.rooms[at].size = [w, size[1], d];

@@ -83,12 +83,20 @@ pub(super) fn several_tables(plan: &Plan) -> bool {
     asked.any(|t| matches!(t.source, ThingOrigin::Stated(_)) && has_seats(plan, &t.category.replace('_', " ")))
 }
 
+/// Whether a bar is asked for with so many stools: its guests sit there. "A ramen bar with eight stools" has no tables.
+fn sits_at_bar(plan: &Plan) -> bool {
+    const SEVERAL: usize = 4;
+    let mut here = plan.draft.things.iter().filter(|t| t.room == Some(plan.room));
+    let is_stool = |t: &DraftThing| t.category.ends_with("stool") && matches!(t.source, ThingOrigin::Stated(_));
+    plan.draft.rooms[plan.room].kind.ends_with(" bar") && here.any(|t| t.count >= SEVERAL && is_stool(t))
+}
+
 /// Adds a line of the inventory.
 pub(super) fn inventory(plan: &mut Plan, line: &Line) {
     // A room with only what is asked for has light all the same.
     let closed = if line.place == PlanPlace::Ceiling { plan.is_said(line.noun) } else { plan.is_closed(line.noun) };
     let seats = has_seats(plan, line.noun) || matches!(line.place, PlanPlace::Rows(_)) && is_desk(line.noun);
-    let seated = seats && several_tables(plan);
+    let seated = seats && (several_tables(plan) || sits_at_bar(plan));
     let is_small = plan.counted < line.least && !shows_on(plan, line);
     // Who waits on chairs that are asked for needs no sofa.
     let waits = line.noun.ends_with("sofa") && (0..plan.draft.things.len()).any(|at| is_for_waiting(plan, at));
@@ -253,6 +261,17 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
             return;
         }
         size[0] = *width;
+    }
+    // So is a desk: rather one with a chair than two without.
+    let is_sat_at = |part: &groups::GroupPart| stand::group(part.noun) == Group::Seat;
+    if known && is_desk(line.noun) && groups::of(line.noun, plan.kind.dress).iter().any(is_sat_at) {
+        let is_first = plan.kind.lines.first().is_some_and(|first| first.noun == line.noun);
+        let placed = (1..=n).rev().find(|n| single_of(plan, line, *n, why, size, true));
+        // In a larger room there is a desk for everyone.
+        plan.lacking += usize::from(plan.matters && placed != Some(n));
+        if placed.is_some() || !is_first {
+            return;
+        }
     }
     // A table that nobody can sit at is left out, unless the room is nothing without it.
     let whole = known && !plan.matters && has_seats(plan, line.noun);

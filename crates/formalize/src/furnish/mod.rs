@@ -51,6 +51,7 @@ pub use daylight::sill;
 pub(crate) use gates::GATE;
 use number::{Scale, scale};
 pub(crate) use palette::paint;
+use plan::RULED_OUT;
 
 /// Why a robot has a fence that nobody asked for.
 pub(crate) const FENCED: &str = "a robot works behind a fence";
@@ -642,7 +643,7 @@ fn fill(draft: &mut Draft, brief: &Brief) {
     let is_named = |thing: &&DraftThing| !is_among_more(draft, brief, thing);
     let mut closed: Vec<String> =
         draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();
-    closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
+    closed.extend(brief.absent.iter().map(|(name, _)| format!("{RULED_OUT}{name}")));
     if draft.rooms.len() == 1 {
         closed.extend(places_elsewhere(draft, brief, 0));
         return extent::furnish(draft, brief, 0, &closed);
@@ -652,7 +653,7 @@ fn fill(draft: &mut Draft, brief: &Brief) {
         let own = draft.things.iter().filter(|thing| thing.room == Some(at));
         let own = own.filter(|thing| !is_among_more(draft, brief, thing));
         let mut closed: Vec<String> = own.map(|thing| thing.category.replace('_', " ")).collect();
-        closed.extend(brief.absent.iter().map(|(name, _)| name.clone()));
+        closed.extend(brief.absent.iter().map(|(name, _)| format!("{RULED_OUT}{name}")));
         closed.extend(places_elsewhere(draft, brief, at));
         // Clothes hang in the room for clothes.
         if has_closet(draft, at) {

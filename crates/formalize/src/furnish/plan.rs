@@ -26,6 +26,8 @@ const SHARED: [usize; 2] = [60, 30];
 /// On top of something higher than this (metres) stands only what is put away.
 const HIGH: f64 = 1.6;
 const KEPT_HIGH: [&str; 4] = ["box", "suitcase", "basket", "plant"];
+/// What precedes the name of something that a request rules out.
+pub(super) const RULED_OUT: &str = "no ";
 /// Groups of groups of groups: so deep.
 const DEEP: usize = 4;
 /// The parts of a kitchen at its window.
@@ -91,7 +93,7 @@ pub enum AtWall {
 }
 
 impl<'a> Plan<'a> {
-    /// For a room of a draft; `closed`: what is asked for or ruled out.
+    /// For a room of a draft; `closed`: what is asked for, and after [`RULED_OUT`] what is ruled out.
     pub fn new(
         draft: &'a mut Draft,
         room: usize,
@@ -188,12 +190,17 @@ impl<'a> Plan<'a> {
 
     /// Whether nothing of this name may be added: it is asked for or ruled out, or could be taken for that.
     pub fn is_closed(&self, noun: &str) -> bool {
-        self.only || self.is_said(noun) || self.closed.iter().any(|asked| stand::stands_in(noun, asked))
+        let stands_in = |asked: &String| stand::stands_in(noun, asked.strip_prefix(RULED_OUT).unwrap_or(asked));
+        self.only || self.is_said(noun) || self.closed.iter().any(stands_in)
     }
 
     /// Whether something of this name is asked for or ruled out by its name.
     pub fn is_said(&self, noun: &str) -> bool {
-        self.closed.iter().any(|asked| stand::counts_as(noun, asked))
+        self.closed.iter().any(|asked| match asked.strip_prefix(RULED_OUT) {
+            // Where a sofa bed is ruled out, another sofa is not.
+            Some(absent) => stand::counts_as(noun, absent) && !absent.starts_with(&format!("{noun} ")),
+            None => stand::counts_as(noun, asked),
+        })
     }
 
     /// Whether there is floor and, for what stands at a wall, wall for more.

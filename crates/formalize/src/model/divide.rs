@@ -69,6 +69,7 @@ pub(super) fn divide(
             at: [0.0; 2],
             size: USUAL,
             sized: false,
+            rows: [0.0; 2],
             outline: None,
             floor: Surface::default(),
             walls: Surface::default(),

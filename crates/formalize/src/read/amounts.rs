@@ -2,7 +2,7 @@
 //! "at one end", "on the left as you come in".
 
 use super::lexicon::{get, plural, singular};
-use super::number::length;
+use super::number::{count, length};
 use super::paraphrase::{put, word};
 use super::shares::noun;
 use super::token::{Token, WordKind};
@@ -10,6 +10,8 @@ use crate::brief::Group;
 
 /// So many are lots of something.
 const LOTS: usize = 5;
+/// Fewer seats are those of one table.
+const FEW_SEATS: f64 = 6.0;
 /// So many shelves stand round the walls of a room.
 const ROUND: usize = 6;
 /// As wide as the aisle of what drives there: forklifts by their makers' data sheets (counterbalanced, pallets of 1.2 m), pallet
@@ -30,6 +32,10 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || at_one_end(tokens, i)
         || coming_in(tokens, i)
         || no_other(tokens, i)
+        || at_the_window(tokens, i)
+        || seats_people(tokens, i)
+        || one_side_only(tokens, i)
+        || on_each_side(tokens, i)
 }
 
 /// Where a noun ends that names several things for which there is a place on the floor or at a wall; words for their looks may precede.
@@ -93,8 +99,13 @@ fn round(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "Cabinets with a sink": one sink among all of them.
+/// "Cabinets with a sink": one sink among all of them. "Benches with sinks and gas taps": two sinks beside them.
 fn in_a_run(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let benches = i > 0 && word(tokens, i) == "with" && matches!(word(tokens, i - 1), "benches");
+    if benches && word(tokens, i + 1) == "sinks" {
+        put(tokens, i, i + 1, &["and", "two"]);
+        return true;
+    }
     const RUN: [&str; 6] = ["cabinets", "counters", "cupboards", "units", "worktops", "countertops"];
     let one = matches!(word(tokens, i + 1), "a" | "one");
     let fitted = (i + 2..i + 4).any(|k| matches!(word(tokens, k), "sink" | "basin" | "hob" | "washbasin" | "oven"));
@@ -105,32 +116,35 @@ fn in_a_run(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
-/// "Wide enough between them for a forklift, so 3.5 metres or more": at least so much between the rows.
+/// "Wide enough between them for a forklift, so 3.5 metres or more", "with aisles wide enough for a forklift": at least so much
+/// between the rows.
 fn wide_enough(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let said =
-        matches!(word(tokens, i), "wide" | "enough") && matches!(word(tokens, i + 1), "enough" | "space" | "room");
-    let between = i + 2 + 2 * usize::from(word(tokens, i + 2) == "between" && word(tokens, i + 3) == "them");
+    let aisles = usize::from(matches!(word(tokens, i), "aisles" | "aisle" | "gaps" | "gangways"));
+    let wide = i + aisles;
+    let between = wide + 2 + 2 * usize::from(word(tokens, wide + 2) == "between" && word(tokens, wide + 3) == "them");
     let whom = between + 1 + usize::from(matches!(word(tokens, between + 1), "a" | "an" | "the"));
-    if !said || between == i + 2 || word(tokens, between) != "for" {
+    let said = word(tokens, wide) == "wide" && word(tokens, wide + 1) == "enough" && word(tokens, between) == "for";
+    if !said || aisles == 0 && between == wide + 2 {
         return false;
     }
-    let Some((_, wide)) = WIDE.iter().find(|(whom_, _)| whom_.contains(&word(tokens, whom))) else { return false };
-    let truck = usize::from(matches!(word(tokens, whom + 1), "truck" | "trucks" | "lift" | "people"));
-    let mut end = whom + 1 + truck;
-    let mut wide = *wide;
-    let so = end + usize::from(tokens.get(end).is_some_and(|t| t.is(",")));
-    let so = so + usize::from(matches!(word(tokens, so), "so" | "meaning" | "say"));
-    if let Some((metres, used)) = length(tokens.get(so..).unwrap_or(&[])).filter(|_| so > end) {
-        wide = metres;
+    let Some((_, metres)) = WIDE.iter().find(|(goes, _)| goes.contains(&word(tokens, whom))) else { return false };
+    let mut metres = *metres;
+    let mut end = whom + 1 + usize::from(matches!(word(tokens, whom + 1), "truck" | "trucks" | "lift" | "people"));
+    let comma = usize::from(tokens.get(end).is_some_and(|t| t.is(",")));
+    let so = end + comma + usize::from(matches!(word(tokens, end + comma), "so" | "meaning" | "say"));
+    if let Some((given, used)) = length(tokens.get(so..).unwrap_or(&[])).filter(|_| so > end) {
+        metres = given;
         end = so + used;
-        if word(tokens, end) == "or" && matches!(word(tokens, end + 1), "more" | "wider") {
+        if word(tokens, end) == "or" && matches!(word(tokens, end + 1), "more" | "wider" | "so") {
             end += 2;
         }
     }
-    let metres = format!("{wide}");
-    let comma = usize::from(i > 0 && tokens[i - 1].is(","));
-    put(tokens, i - comma, end, &["with", "at", "least", &metres, "m", "between", "the", "rows"]);
-    tokens[i - comma + 3].kind = WordKind::Number(wide);
+    let before = |n: usize| i.checked_sub(n).and_then(|k| tokens.get(k));
+    let joins = usize::from(before(1).is_some_and(|t| t.is(",") || t.is("with") || t.is("and")));
+    let from = i - joins;
+    let text = format!("{metres}");
+    put(tokens, from, end, &["with", "at", "least", &text, "m", "between", "the", "rows"]);
+    tokens[from + 3].kind = WordKind::Number(metres);
     true
 }
 
@@ -150,7 +164,7 @@ fn between_rows(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A stage at one end": at a short wall.
+/// "A stage at one end": at a wall. Which one is the end of a room depends on its size, which nobody has given.
 fn at_one_end(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = word(tokens, i) == "at" && word(tokens, i + 1) == "one" && word(tokens, i + 2) == "end";
     let end = i + 3;
@@ -162,7 +176,7 @@ fn at_one_end(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !said || of && !room || other || i == 0 {
         return false;
     }
-    put(tokens, i, end + if of { 3 } else { 0 }, &["against", "a", "short", "wall"]);
+    put(tokens, i, end + if of { 3 } else { 0 }, &["against", "a", "wall"]);
     true
 }
 
@@ -188,13 +202,94 @@ fn coming_in(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "No other furniture": nothing else.
+/// "No other furniture please": nothing else.
 fn no_other(tokens: &mut Vec<Token>, i: usize) -> bool {
     let end = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
         ["no", "other" | "more" | "additional" | "further", "furniture" | "objects" | "things" | "items"] => i + 3,
+        ["nothing", "else", "please"] => i + 2,
         _ => return false,
     };
-    put(tokens, i, end, &["nothing", "else"]);
+    let please = usize::from(word(tokens, end) == "please");
+    put(tokens, i, end + please, &["nothing", "else"]);
+    true
+}
+
+/// "Tables along the big front window": near it.
+fn at_the_window(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "along" && matches!(word(tokens, i + 1), "the" | "a");
+    let window = (i + 2..i + 5).find(|k| matches!(word(tokens, *k), "window" | "windows"));
+    let Some(window) = window.filter(|_| said) else { return false };
+    if (i + 2..window).any(|k| !get().is_look(word(tokens, k)) && word(tokens, k) != "front") {
+        return false;
+    }
+    let last = tokens[window].text.clone();
+    put(tokens, i, window + 1, &["near", "the", &last]);
+    true
+}
+
+/// "A café, about 20 seats", "the table should seat six": for so many people.
+fn seats_people(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SERVES: [&str; 9] = ["cafe", "café", "restaurant", "bistro", "diner", "pub", "bar", "canteen", "pizzeria"];
+    let modal = matches!(word(tokens, i), "should" | "must" | "can" | "has" | "needs" | "could");
+    let to = i + 1 + usize::from(word(tokens, i + 1) == "to");
+    if modal && word(tokens, to) == "seat" && count(tokens.get(to + 1..).unwrap_or(&[])).is_some() {
+        put(tokens, i, to + 1, &["is", "for"]);
+        return true;
+    }
+    let about = usize::from(matches!(word(tokens, i), "about" | "around" | "roughly" | "some"));
+    let Some((n, used)) = count(tokens.get(i + about..).unwrap_or(&[])) else { return false };
+    let end = i + about + used;
+    let ends = tokens.get(end + 1).is_none_or(|t| !t.word());
+    let place = i > 0 && tokens[..i].iter().rev().take(4).any(|t| SERVES.iter().any(|serves| t.is(serves)));
+    // "With 30 seats" names the seats.
+    let first = i.checked_sub(1).is_some_and(|k| tokens[k].is(","));
+    if word(tokens, end) != "seats" || !ends || !place || !first || n < FEW_SEATS {
+        return false;
+    }
+    put(tokens, i - 1, i + about, &["for"]);
+    let seats = i + used;
+    put(tokens, seats, seats + 1, &["people"]);
+    true
+}
+
+/// "Three stools on one side only": on one side. "An island and three stools on one side": in front of the island.
+fn one_side_only(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SAT_AT: [&str; 5] = ["island", "table", "counter", "bar", "desk"];
+    let said = word(tokens, i) == "only" && word(tokens, i + 1) == "on" && word(tokens, i + 2) == "one";
+    if said && word(tokens, i + 3) == "side" {
+        tokens.remove(i);
+    }
+    if word(tokens, i) != "on" || word(tokens, i + 1) != "one" || word(tokens, i + 2) != "side" {
+        return said;
+    }
+    if word(tokens, i + 3) == "only" {
+        tokens.remove(i + 3);
+    }
+    let seats = i > 0 && matches!(word(tokens, i - 1), "stools" | "chairs" | "seats");
+    let goes_on = tokens.get(i + 3).is_some_and(|t| t.word() && !t.is("and"));
+    let at =
+        (i.saturating_sub(10)..i).rev().find(|k| SAT_AT.contains(&word(tokens, *k)) && word(tokens, k + 1) != "stools");
+    let Some(at) = at.filter(|_| seats && !goes_on) else { return said };
+    let name = tokens[at].text.clone();
+    put(tokens, i, i + 3, &["in", "front", "of", "the", &name]);
+    true
+}
+
+/// "Two long tables with lamps, five chairs on each side": with five chairs on each side of each table.
+fn on_each_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const TABLES: [&str; 4] = ["tables", "desks", "benches", "workbenches"];
+    let Some((_, used)) = count(tokens.get(i + 1..).unwrap_or(&[])).filter(|_| tokens[i].is(",")) else { return false };
+    let seats = i + 1 + used;
+    let side = matches!(word(tokens, seats + 2), "each" | "either" | "both");
+    let said = matches!(word(tokens, seats), "chairs" | "stools" | "seats") && word(tokens, seats + 1) == "on" && side;
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | ','));
+    let from = tokens[..i].iter().rposition(stops).map_or(0, |k| k + 1);
+    let several = tokens[from..i].iter().any(|t| TABLES.iter().any(|name| t.is(name)));
+    if !said || !several || !matches!(word(tokens, seats + 3), "side" | "sides") {
+        return false;
+    }
+    tokens[i].kind = WordKind::Word;
+    tokens[i].text = "with".to_owned();
     true
 }
 
@@ -211,14 +306,19 @@ mod tests {
             ("tall shelves round the walls and a table", "6 tall shelves against the walls and a table"),
             ("three shelves along the walls", "three shelves along the walls"),
             ("cabinets with a sink run along the back wall", "cabinets and a sink run along the back wall"),
+            ("two rows of benches with sinks and gas taps", "two rows of benches and two sinks and gas taps"),
             ("desks with a lamp", "desks with a lamp"),
             (
                 "four rows of racks, wide enough between them for a forklift, so 3.5 metres or more. a desk",
                 "four rows of racks with at least 3.5 m between the rows . a desk",
             ),
             ("four rows of racks at least 3 m between them", "four rows of racks with at least 3 m between the rows"),
+            (
+                "rows of racks with boxes, aisles wide enough for a forklift so three metres or so, and a desk",
+                "rows of racks with boxes with at least 3 m between the rows , and a desk",
+            ),
             ("a door wide enough for a bed", "a door wide enough for a bed"),
-            ("a hall with a stage at one end and chairs", "a hall with a stage against a short wall and chairs"),
+            ("a hall with a stage at one end and chairs", "a hall with a stage against a wall and chairs"),
             ("one big table at the far end with eight chairs", "one big table at the back with eight chairs"),
             ("a sofa at one end and a desk at the other", "a sofa at one end and a desk at the other"),
             ("a lamp at one end of the table", "a lamp at one end of the table"),
@@ -227,7 +327,22 @@ mod tests {
                 "the counter is along the left wall , then tables",
             ),
             ("a lamp on the left of the bed", "a lamp on the left of the bed"),
-            ("two benches. no other furniture please", "two benches . nothing else please"),
+            ("four tables along the big front window", "four tables near the window"),
+            ("tables along the wall with a window", "tables along the wall with a window"),
+            ("café, about 20 seats. counter on it", "cafe for 20 people . counter on it"),
+            ("a cafe with 20 seats", "a cafe with ten cafe tables"),
+            ("the table should seat six and have a lamp", "the table is for six and have a lamp"),
+            (
+                "an island and three bar stools on one side only.",
+                "an island and three bar stools in front of the island .",
+            ),
+            (
+                "two tables with lamps, five chairs on each side, and shelves",
+                "two tables with lamps with five chairs on each side , and shelves",
+            ),
+            ("a bed, two lamps on each side", "a bed , two lamps on each side"),
+            ("windows on one side only", "windows on one side"),
+            ("two benches. no other furniture please", "two benches . nothing else"),
         ] {
             assert_eq!(plainly(said), becomes);
         }

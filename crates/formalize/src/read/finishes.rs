@@ -28,10 +28,20 @@ pub fn plain(tokens: &mut Vec<Token>) {
         if style(tokens, i) {
             continue;
         }
+        tiled(tokens, i);
         match finish(tokens, i).filter(|finish| is_plain(tokens, finish)) {
             Some(finish) => move_out(tokens, &finish),
             None => i += 1,
         }
+    }
+}
+
+/// "A bath and two sinks, all in pale tiles": with pale tiles.
+fn tiled(tokens: &mut Vec<Token>, i: usize) {
+    let said = word(tokens, i) == "all" && word(tokens, i + 1) == "in";
+    let tiles = (i + 2..i + 5).find(|k| matches!(word(tokens, *k), "tiles" | "tile"));
+    if said && tiles.is_some_and(|last| (i + 2..last).all(|k| get().is_look(word(tokens, k)))) {
+        super::paraphrase::put(tokens, i, i + 2, &["with"]);
     }
 }
 

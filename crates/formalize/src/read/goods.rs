@@ -40,6 +40,10 @@ fn racking(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, i, i + 1, &["racks"]);
         return true;
     }
+    if word(tokens, i) == "telly" {
+        put(tokens, i, i + 1, &["tv"]);
+        return true;
+    }
     let hung = matches!(word(tokens, i), "hanging" | "hung") && word(tokens, i + 1) == "up";
     if hung && i > 0 && super::paraphrase::ends(tokens, i + 2) && plural(word(tokens, i - 1)) {
         put(tokens, i, i + 2, &["hanging", "on", "the", "wall"]);

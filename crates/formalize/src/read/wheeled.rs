@@ -12,7 +12,7 @@ const THROUGH: [&str; 7] = ["through", "past", "around", "everywhere", "in", "by
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if room_for(tokens, i) {
+    if room_for(tokens, i) || to_get_through(tokens, i) {
         return true;
     }
     let starts = i == 0
@@ -65,6 +65,23 @@ fn room_for(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Leave enough space to get a pram through to the door": paths for it.
+fn to_get_through(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let leaves = usize::from(matches!(word(tokens, i), "leave" | "leaving" | "with"));
+    let enough = i + leaves + usize::from(word(tokens, i + leaves) == "enough");
+    let space = matches!(word(tokens, enough), "space" | "room") && word(tokens, enough + 1) == "to";
+    let moves = matches!(word(tokens, enough + 2), "get" | "push" | "wheel" | "move");
+    let article = enough + 3 + usize::from(matches!(word(tokens, enough + 3), "a" | "the" | "my"));
+    if !space || !moves || !WHEELED.contains(&word(tokens, article)) || !THROUGH.contains(&word(tokens, article + 1)) {
+        return false;
+    }
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ',' | '!'));
+    let end = tokens[article..].iter().position(ends).map_or(tokens.len(), |n| article + n);
+    put(tokens, i, end, &["there", "are", "0.9", "m", "wide", "paths", "to", "everything"]);
+    tokens[i + 2].kind = WordKind::Number(WIDE);
+    true
+}
+
 /// Where the words for a person end that begin here: "someone", "a visitor", "people", "a wheelchair user", "wheelchairs".
 fn somebody(tokens: &[Token], i: usize) -> Option<usize> {
     let article = usize::from(matches!(word(tokens, i), "a" | "an" | "the" | "our" | "my"));
@@ -95,6 +112,7 @@ mod tests {
                 "two rows of shelves with enough space between them for a pram.",
                 "two rows of shelves with 0.9 m between them .".to_owned(),
             ),
+            ("leave enough space to get a pram through to the toilets door", paths.to_owned()),
             ("a hall with a pram. the pram stands there.", "a hall with a pram . the pram stands there .".to_owned()),
             ("a visitor with a pram sits there.", "a visitor with a pram sits there .".to_owned()),
         ] {

@@ -23,6 +23,7 @@ pub fn room(name: &str, size: [f64; 2]) -> DraftRoom {
         at: [0.0; 2],
         size: [size[0], 2.7, size[1]],
         sized: true,
+        rows: [0.0; 2],
         outline: None,
         floor: Surface::default(),
         walls: Surface::default(),

@@ -294,8 +294,49 @@ impl Named<'_> {
         Some(out)
     }
 
+    /// As many seats at the one side of a table as at the other: spread evenly, turned to it.
+    fn along_sides(&self, a: usize) -> Option<String> {
+        let (long, b) = self.brief.facts.iter().find_map(|f| match &f.what {
+            FactKind::Rel(rel @ (Rel::LongSide | Rel::ShortSide), to) if f.of == [a] && to.len() == 1 && !f.not => {
+                Some((*rel == Rel::LongSide, to[0]))
+            }
+            _ => None,
+        })?;
+        let (n, m) = (self.counts[a], self.counts[b]);
+        let ([w, _, d], seat) = (self.sizes[b], self.sizes[a]);
+        let wide = long == (w >= d);
+        let each = n / (2 * m.max(1));
+        let fits = each as f64 * (seat[0] + 0.05) <= if wide { w } else { d };
+        if self.group(a) != Group::Seat || !self.array(a) || each == 0 || n != 2 * m * each || !fits {
+            return None;
+        }
+        let (of, to) = (self.name(a), if m > 1 { format!("{}[i]", self.name(b)) } else { self.name(b).to_owned() });
+        let (along, length, across, depth) =
+            if wide { ("right", "x", "front", "z") } else { ("front", "z", "right", "x") };
+        let first = if m > 1 { format!("{} * i + ", 2 * each) } else { String::new() };
+        let turned = if wide { [180, 0] } else { [270, 90] };
+        let place = |side: usize| {
+            let (first, sign) = (if side == 0 { first.clone() } else { format!("{first}{each} + ") }, ["+", "-"][side]);
+            let turned = match turned[side] {
+                0 => String::new(),
+                turned => format!(" + {turned}"),
+            };
+            format!(
+                "{of}[{first}j].pos = {to}.pos + {to}.{along} * ({to}.size.{length} * (j * {} - {})) {sign} {to}.{across} * ({to}.size.{depth} / 2 + {}) and {of}[{first}j].rot.y = {to}.rot.y{turned}",
+                number(1.0 / each as f64),
+                number((each - 1) as f64 * 0.5 / each as f64),
+                number(seat[2] / 2.0 + 0.1),
+            )
+        };
+        let tables = if m > 1 { format!("forall i in 0..{m}: ") } else { String::new() };
+        Some(format!("{tables}forall j in 0..{each}: {} and {}", place(0), place(1)))
+    }
+
     /// Seats at tables that stand in rows: each at its place, turned to its table.
     pub fn drawn_up(&self, a: usize) -> Option<String> {
+        if let Some(along) = self.along_sides(a) {
+            return Some(along);
+        }
         let (rel, b) = self.brief.facts.iter().find_map(|f| match &f.what {
             FactKind::Rel(rel @ (Rel::Around | Rel::At | Rel::InFrontOf | Rel::Behind | Rel::Near), to)
                 if f.of == [a] && to.len() == 1 =>

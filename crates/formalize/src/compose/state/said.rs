@@ -183,7 +183,13 @@ impl Named<'_> {
                 let to = to.first().map_or("", String::as_str);
                 out.push(format!("{verb} exists a in {of}: facing(a, {to});"));
                 out.push(format!("{verb} forall a in {of}: dot({to}.center - a.center, a.front) >= 0;"));
-                out.push(format!("{verb} forall i in 1..{}: {of}[i].rot = {of}[0].rot;", self.counts[a]));
+                let n = self.counts[a];
+                out.push(format!("{verb} forall i in 1..{n}: {of}[i].rot = {of}[0].rot;"));
+                // What is looked at is before the middle of the rows.
+                out.push(format!(
+                    "prefer abs(dot({to}.center - ({of}[0].center + {of}[{}].center) * 0.5, {of}[0].right)) <= 0.3;",
+                    n - 1
+                ));
             }
             // Across from each other, but not each has one of the others straight before it.
             Rel::Opposite if self.array(a) && self.array(b) => {
@@ -203,6 +209,14 @@ impl Named<'_> {
                 out.push(format!(
                     "{verb} forall a in {of}: abs(dot(a.front, {to}.front)) >= 0.99 and dot({to}.center - a.center, a.front) <= 0;"
                 ));
+            }
+            // Or at what hangs there.
+            Rel::Facing if self.brief.things[a].head() == "treadmill" => {
+                let (x, y) = (self.name(a), self.elements(b));
+                let y = y.first().map_or("", String::as_str);
+                let of = if self.counts[a] > 1 { format!("forall a in {x}: ") } else { String::new() };
+                let a = if self.counts[a] > 1 { "a" } else { x };
+                out.push(format!("{verb} {of}angle({a}.center - {y}.center, {a}.front) <= 20;"));
             }
             // Who sits at a desk that faces the door sees who comes in.
             Rel::Facing if gb == Group::Door && self.counts[a] == 1 && self.counts[b] == 1 && self.sat_at(a) => {

@@ -687,6 +687,7 @@ impl Reader<'_> {
         if of.is_empty() || opening {
             return;
         }
+        let of = if rel == Rel::On { self.able_to_lie(&of, to).to_vec() } else { of };
         // Nothing lies on what lies on it.
         let back = |f: &Fact| matches!(&f.what, FactKind::Rel(r, o) if *r == rel && *o == of && f.of == to && !f.not);
         if of == to
@@ -704,6 +705,17 @@ impl Reader<'_> {
             self.s.shared = Some((rel, to.to_vec()));
         }
         self.s.last = Some((of, rel, to.to_vec()));
+    }
+
+    /// "Ten chairs, a counter and some magazines on a low table": of a list only the last things that people put on tables.
+    fn able_to_lie<'a>(&self, of: &'a [usize], to: &[usize]) -> &'a [usize] {
+        let group = |o: &usize| self.brief.things[*o].group;
+        let carries = |o: &usize| matches!(group(o), Group::Table | Group::Storage);
+        let heavy = |o: &usize| matches!(group(o), Group::Seat | Group::Table | Group::Bed | Group::Storage);
+        let stands = |o: &usize| heavy(o) || group(o) == Group::Floor;
+        let last = of.iter().rposition(stands).map_or(0, |at| at + 1);
+        let is_list = of.iter().any(heavy) && to.iter().all(carries) && last < of.len();
+        if is_list { &of[last..] } else { of }
     }
 
     pub(super) fn at_place(&mut self, of: &[usize], rel: Rel, place: Place, which: &[String]) {
