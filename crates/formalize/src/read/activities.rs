@@ -142,6 +142,11 @@ fn somewhere(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, i, after + how, &["a", zone, "nook"]);
         return true;
     }
+    if matches!(word(tokens, verb), "fold" | "iron" | "sort") {
+        let end = (verb + 1..verb + 5).find(|k| ends(tokens, *k)).unwrap_or(verb + 1);
+        put(tokens, i, end, &["a", "table"]);
+        return true;
+    }
     if !matches!(word(tokens, verb), "hang" | "put" | "leave" | "store" | "keep" | "drop" | "sit") {
         return false;
     }
@@ -213,6 +218,7 @@ mod tests {
             ("a bedroom with somewhere to work at the window", "a bedroom with a work nook at the window"),
             ("a hall with somewhere to hang our coats and a mirror", "a hall with a coat rack and a mirror"),
             ("a hall with a place for us to leave muddy boots", "a hall with a shoe rack"),
+            ("two machines and somewhere to fold stuff", "two machines and a table"),
             ("a place to call home", "a place to call home"),
             ("a living room for a family that watches a lot of films.", "a living room for a family who love films ."),
             ("a shop that sells watches and films", "a shop that sells watches and films"),

@@ -28,6 +28,7 @@ const NEAR: usize = 5;
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     racking(tokens, i)
         || timber(tokens, i)
+        || cloakroom(tokens, i)
         || storage(tokens, i)
         || tires(tokens, i)
         || stools(tokens, i)
@@ -40,6 +41,11 @@ fn racking(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, i, i + 1, &["racks"]);
         return true;
     }
+    // "Full of junk": boxes of it.
+    if word(tokens, i) == "full" && word(tokens, i + 1) == "of" && matches!(word(tokens, i + 2), "junk" | "clutter") {
+        put(tokens, i, i + 3, &["with", "five", "cardboard", "boxes"]);
+        return true;
+    }
     if word(tokens, i) == "telly" {
         put(tokens, i, i + 1, &["tv"]);
         return true;
@@ -50,6 +56,21 @@ fn racking(tokens: &mut Vec<Token>, i: usize) -> bool {
         return true;
     }
     false
+}
+
+/// "A hallway with coats and muddy boots": what these hang and stand on.
+fn cloakroom(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "with" || word(tokens, i + 1) != "coats" {
+        return false;
+    }
+    let dirty = usize::from(matches!(word(tokens, i + 3), "muddy" | "wet" | "dirty" | "old"));
+    let boots = word(tokens, i + 2) == "and" && matches!(word(tokens, i + 3 + dirty), "boots" | "shoes" | "wellies");
+    if boots {
+        put(tokens, i + 1, i + 4 + dirty, &["a", "coat", "rail", "and", "a", "shoe", "rack"]);
+    } else {
+        put(tokens, i + 1, i + 2, &["a", "coat", "rail"]);
+    }
+    true
 }
 
 /// "Timber stacked in a corner", "a stack of wood": a pile.
@@ -191,6 +212,9 @@ mod tests {
                 "clamps hanging on the wall and a wood pile in a corner",
             ),
             ("a pile of firewood", "a wood pile"),
+            ("a garage full of junk and bikes", "a garage with five cardboard boxes and bikes"),
+            ("a narrow hallway with coats and muddy boots", "a narrow hallway with a coat rail and a shoe rack"),
+            ("a hallway with a rail for coats", "a hallway with a rail for coats"),
             ("a picture hung up high", "a picture hung up high"),
         ] {
             assert_eq!(paraphrase::plainly(text), becomes);

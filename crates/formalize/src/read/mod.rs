@@ -56,6 +56,7 @@ mod talk;
 mod token;
 mod unknown;
 mod wheeled;
+mod whereabouts;
 mod which;
 mod zones;
 

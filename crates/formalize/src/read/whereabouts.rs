@@ -1,0 +1,169 @@
+//! Places that depend on which way one looks or on what a room is like: "at one end", "on the left as you come in", "along the
+//! front window", "five chairs on each side", "two on each side wall".
+
+use super::lexicon::{get, plural};
+use super::number::count;
+use super::paraphrase::{put, word};
+use super::token::{Token, WordKind};
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    at_one_end(tokens, i)
+        || coming_in(tokens, i)
+        || at_the_window(tokens, i)
+        || one_side_only(tokens, i)
+        || on_each_side(tokens, i)
+        || on_side_walls(tokens, i)
+}
+
+/// "A stage at one end": at a wall. Which one is the end of a room depends on its size, which nobody has given.
+fn at_one_end(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "at" && word(tokens, i + 1) == "one" && word(tokens, i + 2) == "end";
+    let end = i + 3;
+    let of = word(tokens, end) == "of";
+    let room = word(tokens, end + 1) == "the"
+        && (get().room(word(tokens, end + 2)).is_some() || matches!(word(tokens, end + 2), "room" | "space"));
+    // "Shelves at one end and a table at the other": sides of one thing or of a room, and read elsewhere.
+    let other = tokens.get(end..).unwrap_or(&[]).iter().take(12).any(|t| t.is("other"));
+    if !said || of && !room || other || i == 0 {
+        return false;
+    }
+    put(tokens, i, end + if of { 3 } else { 0 }, &["against", "a", "wall"]);
+    true
+}
+
+/// "A counter on the left as you come in": along the left wall.
+fn coming_in(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let side = i + 2;
+    let said = matches!(word(tokens, i), "on" | "to") && word(tokens, i + 1) == "the";
+    let side_word = word(tokens, side).to_owned();
+    let hand = usize::from(word(tokens, side + 1) == "side");
+    let at = side + 1 + hand;
+    let enters = matches!(word(tokens, at), "as" | "when")
+        && matches!(word(tokens, at + 1), "you" | "one" | "people" | "customers" | "guests" | "i" | "we");
+    if !said || !matches!(side_word.as_str(), "left" | "right") || !enters {
+        return false;
+    }
+    let end = match [word(tokens, at + 2), word(tokens, at + 3)] {
+        ["come" | "walk" | "go" | "step", "in" | "inside"] => at + 4,
+        ["enter", "the"] => at + 5,
+        ["enter", _] => at + 3,
+        _ => return false,
+    };
+    put(tokens, i, end, &["along", "the", &side_word, "wall"]);
+    true
+}
+
+/// "Tables along the big front window": near it.
+fn at_the_window(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "along" && matches!(word(tokens, i + 1), "the" | "a");
+    let window = (i + 2..i + 5).find(|k| matches!(word(tokens, *k), "window" | "windows"));
+    let Some(window) = window.filter(|_| said) else { return false };
+    if (i + 2..window).any(|k| !get().is_look(word(tokens, k)) && word(tokens, k) != "front") {
+        return false;
+    }
+    let last = tokens[window].text.clone();
+    put(tokens, i, window + 1, &["near", "the", &last]);
+    true
+}
+
+/// "Three stools on one side only": on one side. "An island and three stools on one side": in front of the island.
+fn one_side_only(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SAT_AT: [&str; 5] = ["island", "table", "counter", "bar", "desk"];
+    let said = word(tokens, i) == "only" && word(tokens, i + 1) == "on" && word(tokens, i + 2) == "one";
+    if said && word(tokens, i + 3) == "side" {
+        tokens.remove(i);
+    }
+    if word(tokens, i) != "on" || word(tokens, i + 1) != "one" || word(tokens, i + 2) != "side" {
+        return said;
+    }
+    if word(tokens, i + 3) == "only" {
+        tokens.remove(i + 3);
+    }
+    let seats = i > 0 && matches!(word(tokens, i - 1), "stools" | "chairs" | "seats");
+    let goes_on = tokens.get(i + 3).is_some_and(|t| t.word() && !t.is("and"));
+    let at =
+        (i.saturating_sub(10)..i).rev().find(|k| SAT_AT.contains(&word(tokens, *k)) && word(tokens, k + 1) != "stools");
+    let Some(at) = at.filter(|_| seats && !goes_on) else { return said };
+    let name = tokens[at].text.clone();
+    put(tokens, i, i + 3, &["in", "front", "of", "the", &name]);
+    true
+}
+
+/// "Two long tables with lamps, five chairs on each side": with five chairs on each side of each table.
+fn on_each_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const TABLES: [&str; 4] = ["tables", "desks", "benches", "workbenches"];
+    let Some((_, used)) = count(tokens.get(i + 1..).unwrap_or(&[])).filter(|_| tokens[i].is(",")) else { return false };
+    let seats = i + 1 + used;
+    let side = matches!(word(tokens, seats + 2), "each" | "either" | "both");
+    let said = matches!(word(tokens, seats), "chairs" | "stools" | "seats") && word(tokens, seats + 1) == "on" && side;
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | ','));
+    let from = tokens[..i].iter().rposition(stops).map_or(0, |k| k + 1);
+    let several = tokens[from..i].iter().any(|t| TABLES.iter().any(|name| t.is(name)));
+    if !said || !several || !matches!(word(tokens, seats + 3), "side" | "sides") {
+        return false;
+    }
+    tokens[i].kind = WordKind::Word;
+    tokens[i].text = "with".to_owned();
+    true
+}
+
+/// "Four cases, two on each side wall": two at the left wall and two at the right.
+fn on_side_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some((n, 1)) = count(tokens.get(i + 1..).unwrap_or(&[])).filter(|_| tokens[i].is(",")) else { return false };
+    let said = matches!(word(tokens, i + 2), "on" | "along" | "at" | "against")
+        && matches!(word(tokens, i + 3), "each" | "either")
+        && word(tokens, i + 4) == "side"
+        && word(tokens, i + 5) == "wall";
+    // As many as at both walls, and what they are called up to the comma.
+    let all = |k: &usize| {
+        let twice = count(&tokens[*k..*k + 1]).is_some_and(|(all, _)| all == 2.0 * n);
+        twice && *k + 1 < i && tokens[*k + 1..i].iter().all(Token::word) && plural(word(tokens, i - 1))
+    };
+    let Some(all) = (i.saturating_sub(4)..i).find(all).filter(|_| said) else { return false };
+    let number = tokens[i + 1].clone();
+    let name: Vec<Token> = tokens[all + 1..i].to_vec();
+    put(tokens, i, i + 6, &["on", "the", "left", "wall", "and", "n", "on", "the", "right", "wall"]);
+    tokens[i + 5] = number.clone();
+    tokens.splice(i + 6..i + 6, name);
+    tokens[all] = number;
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::paraphrase::plainly;
+
+    #[test]
+    fn places_are_said_plainly() {
+        for (said, becomes) in [
+            ("a hall with a stage at one end and chairs", "a hall with a stage against a wall and chairs"),
+            ("one big table at the far end with eight chairs", "one big table at the back with eight chairs"),
+            ("a sofa at one end and a desk at the other", "a sofa at one end and a desk at the other"),
+            ("a lamp at one end of the table", "a lamp at one end of the table"),
+            (
+                "the counter is on the left as you come in, then tables",
+                "the counter is along the left wall , then tables",
+            ),
+            ("a lamp on the left of the bed", "a lamp on the left of the bed"),
+            ("four tables along the big front window", "four tables near the window"),
+            ("tables along the wall with a window", "tables along the wall with a window"),
+            (
+                "an island and three bar stools on one side only.",
+                "an island and three bar stools in front of the island .",
+            ),
+            (
+                "two tables with lamps, five chairs on each side, and shelves",
+                "two tables with lamps with 10 chairs on its long sides , and shelves",
+            ),
+            (
+                "four cases, two on each side wall, and a bench",
+                "two cases on the left wall and two cases on the right wall , and a bench",
+            ),
+            ("a bed, two lamps on each side", "a bed , two lamps on each side"),
+            ("windows on one side only", "windows on one side"),
+        ] {
+            assert_eq!(plainly(said), becomes);
+        }
+    }
+}
