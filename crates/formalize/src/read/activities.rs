@@ -2,9 +2,10 @@
 //! have a poster of one, and of a family that watches films nothing follows but a note.
 
 use super::lexicon::{Class, get, singular};
+use super::number::count;
 use super::paraphrase::{ends, put, word};
 use super::shares::noun;
-use super::token::Token;
+use super::token::{Token, WordKind};
 
 /// Verbs, and the part of a room where that is done (see `data/zones.txt`).
 const DONE: [(&str, &str); 31] = [
@@ -106,7 +107,12 @@ const THEMES: [&str; 16] = [
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    somewhere(tokens, i) || watches(tokens, i) || loves(tokens, i)
+    somewhere(tokens, i)
+        || watches(tokens, i)
+        || loves(tokens, i)
+        || background(tokens, i)
+        || see_over(tokens, i)
+        || school_year(tokens, i)
 }
 
 /// Where the words end that say "somewhere to", "a quiet place to", "space to".
@@ -205,6 +211,47 @@ fn loves(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Our family of five eats together every night, so make a dining room": a dining room for five people.
+fn background(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let makes = matches!(word(tokens, i + 1), "make" | "build" | "create" | "design" | "please" | "give");
+    if i < 3 || word(tokens, i) != "so" || !makes || !tokens[i - 1].is(",") {
+        return false;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | '!' | '?'));
+    let from = tokens[..i].iter().rposition(stops).map_or(0, |k| k + 1);
+    let of = (from..i).find(|k| matches!([word(tokens, *k), word(tokens, k + 1)], ["family" | "group" | "team", "of"]));
+    let Some(number) = of.map(|of| of + 2).filter(|k| count(&tokens[*k..]).is_some()) else { return false };
+    let people = word(tokens, number).to_owned();
+    let kind = tokens[number].kind.clone();
+    put(tokens, from, i + 1, &["for", &people, "people", "please"]);
+    tokens[from + 1].kind = kind;
+    true
+}
+
+/// "So the librarian can see over them": why they are low.
+fn see_over(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let that = i + 1 + usize::from(word(tokens, i + 1) == "that");
+    let can = (that + 1..that + 4).find(|k| word(tokens, *k) == "can");
+    let Some(can) = can.filter(|_| word(tokens, i) == "so") else { return false };
+    let over = word(tokens, can + 1) == "see" && matches!(word(tokens, can + 2), "over" | "past" | "across");
+    if !over || !matches!(word(tokens, can + 3), "them" | "it") {
+        return false;
+    }
+    tokens.drain(i..can + 4);
+    true
+}
+
+/// "A year 2 classroom" is one classroom.
+fn school_year(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let named = matches!(word(tokens, i), "year" | "grade" | "class" | "form");
+    let numbered = tokens.get(i + 1).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    if !named || !numbered || !matches!(word(tokens, i + 2), "classroom" | "class" | "pupils" | "room") {
+        return false;
+    }
+    put(tokens, i, i + 2, &["school"]);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -219,6 +266,16 @@ mod tests {
             ("a hall with somewhere to hang our coats and a mirror", "a hall with a coat rack and a mirror"),
             ("a hall with a place for us to leave muddy boots", "a hall with a shoe rack"),
             ("two machines and somewhere to fold stuff", "two machines and a table"),
+            (
+                "our family of five eats together every night, so make a dining room with a table",
+                "for five people please make a dining room with a table",
+            ),
+            ("it rains, so make a roof", "it rains , so make a roof"),
+            (
+                "shelves no taller than 1.4 m so the librarian can see over them, and a desk",
+                "shelves no taller than 1.4 m , and a desk",
+            ),
+            ("year 2 classroom for 24 children", "school classroom for 24 children"),
             ("a place to call home", "a place to call home"),
             ("a living room for a family that watches a lot of films.", "a living room for a family who love films ."),
             ("a shop that sells watches and films", "a shop that sells watches and films"),

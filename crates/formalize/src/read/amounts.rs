@@ -74,7 +74,8 @@ fn round(tokens: &mut Vec<Token>, i: usize) -> bool {
     let all = i + 1 + usize::from(word(tokens, i + 1) == "all");
     let end = all + usize::from(matches!(word(tokens, all), "the" | "its" | "of" | "four"));
     let end = end + usize::from(word(tokens, end) == "the");
-    if word(tokens, end) != "walls" {
+    let perimeter = matches!(word(tokens, end), "perimeter" | "edge" | "edges" | "sides") && along;
+    if word(tokens, end) != "walls" && !(perimeter && matches!(word(tokens, i), "round" | "around" | "along")) {
         return false;
     }
     let mut first = i - 1;
@@ -83,8 +84,7 @@ fn round(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let before = first.checked_sub(1).map_or("", |k| word(tokens, k));
     let numbered = first > 0
-        && (matches!(tokens[first - 1].kind, WordKind::Number(_))
-            || count(&tokens[first - 1..first]).is_some());
+        && (matches!(tokens[first - 1].kind, WordKind::Number(_)) || count(&tokens[first - 1..first]).is_some());
     if numbered || matches!(before, "the" | "these" | "those" | "some" | "few" | "many" | "no") {
         return false;
     }
@@ -114,7 +114,8 @@ fn in_a_run(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Wide enough between them for a forklift, so 3.5 metres or more", "with aisles wide enough for a forklift": at least so much
 /// between the rows.
 fn wide_enough(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let aisles = usize::from(matches!(word(tokens, i), "aisles" | "aisle" | "gaps" | "gangways"));
+    let aisles =
+        usize::from(matches!(word(tokens, i), "aisles" | "aisle" | "gaps" | "gangways" | "lanes" | "corridors"));
     let wide = i + aisles;
     let between = wide + 2 + 2 * usize::from(word(tokens, wide + 2) == "between" && word(tokens, wide + 3) == "them");
     let whom = between + 1 + usize::from(matches!(word(tokens, between + 1), "a" | "an" | "the"));
@@ -180,6 +181,17 @@ fn seats_people(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, i, to + 1, &["is", "for"]);
         return true;
     }
+    // "A restaurant seating around forty".
+    let vague = matches!(word(tokens, i + 1), "about" | "around" | "roughly" | "approximately");
+    let guests = || count(tokens.get(i + 2..).unwrap_or(&[])).map(|(_, used)| i + 2 + used);
+    if let Some(end) = (word(tokens, i) == "seating" && vague).then(guests).flatten() {
+        if !matches!(word(tokens, end), "people" | "guests" | "diners") {
+            let copy = tokens[end - 1].clone();
+            tokens.insert(end, Token { kind: WordKind::Word, text: "people".to_owned(), ..copy });
+        }
+        put(tokens, i, i + 2, &["for"]);
+        return true;
+    }
     let about = usize::from(matches!(word(tokens, i), "about" | "around" | "roughly" | "some"));
     let Some((n, used)) = count(tokens.get(i + about..).unwrap_or(&[])) else { return false };
     let end = i + about + used;
@@ -222,6 +234,8 @@ mod tests {
             ),
             ("a door wide enough for a bed", "a door wide enough for a bed"),
             ("café, about 20 seats. counter on it", "cafe for 20 people . counter on it"),
+            ("a restaurant seating around forty: six tables", "a restaurant for forty people : six tables"),
+            ("tall shelves around the perimeter", "6 tall shelves against the walls"),
             ("a cafe with 20 seats", "a cafe with ten cafe tables"),
             ("the table should seat six and have a lamp", "the table is for six and have a lamp"),
             ("two benches. no other furniture please", "two benches . nothing else"),

@@ -1,7 +1,7 @@
 //! Where the list of what each has ends: in "four stations, each with a mirror and a chair, two basins and a sofa" each station
 //! has a mirror and a chair, and the room has the rest.
 
-use super::lexicon::get;
+use super::lexicon::{get, plural};
 use super::paraphrase::word;
 use super::shares::noun;
 use super::token::{Token, WordKind};
@@ -17,7 +17,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         super::paraphrase::put(tokens, name.end, name.end + 1, &["has"]);
         return true;
     }
-    if after_each(tokens, i) || both_for_each(tokens, i) || on_each(tokens, i) {
+    if after_each(tokens, i) || both_for_each(tokens, i) || on_each(tokens, i) || with_at_walls(tokens, i) {
         return true;
     }
     if word(tokens, i) != "each" || !matches!(word(tokens, i + 1), "with" | "has" | "have" | "having") {
@@ -55,6 +55,23 @@ fn on_each(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     goes_on(tokens, i + 2, and);
+    true
+}
+
+/// "Eight workbenches with vices along the two long walls, a rack": the benches stand there, and the rack is there once.
+fn with_at_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let host = i > 0 && word(tokens, i) == "with" && plural(word(tokens, i - 1));
+    let bare = host && plural(word(tokens, i + 1)) && !number(tokens, i + 1).is_some_and(|_| true);
+    let along = matches!(word(tokens, i + 2), "along" | "against");
+    let Some(walls) = (i + 3..i + 8).find(|k| matches!(word(tokens, *k), "wall" | "walls")).filter(|_| bare && along)
+    else {
+        return false;
+    };
+    tokens[i..=walls].rotate_left(2);
+    if tokens.get(walls + 1).is_some_and(|t| t.is(",")) {
+        let and = usize::from(matches!(word(tokens, walls + 2), "and" | "plus"));
+        goes_on(tokens, walls + 1, and);
+    }
     true
 }
 
@@ -152,6 +169,10 @@ mod tests {
             (
                 "tables with a cloth and a candle on each, a bar with six stools, and a stand",
                 "tables with a cloth and a candle on each . there is a bar with six bar stools , and a stand",
+            ),
+            (
+                "eight workbenches with vices along the two long walls, a rack and a stool",
+                "eight workbenches along the two long walls with vices . there is a rack and a stool",
             ),
             ("two desks, each with a lamp and a chair", "two desks , each with a lamp and a chair"),
             (

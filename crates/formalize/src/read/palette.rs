@@ -1,7 +1,7 @@
 //! The colours that a room is to have: "in warm beige and brown colours", "pastel tones", "in shades of blue".
 
 use super::lexicon::{LookWord, get};
-use super::paraphrase::word;
+use super::paraphrase::{put, word};
 use super::token::Token;
 use crate::brief::Room;
 use crate::colors::known;
@@ -70,6 +70,23 @@ fn palette(tokens: &[Token], at: usize) -> Option<(Vec<String>, Range<usize>)> {
     (!colors.is_empty()).then(|| (colors, with_in(tokens, start)..at + 1))
 }
 
+/// "In soft greens and blues": in shades of green and blue.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = |k: usize| SAID.contains(&word(tokens, k)) || MOODS.iter().any(|(mood, _)| *mood == word(tokens, k));
+    let color = |k: usize| {
+        let one = word(tokens, k).strip_suffix('s')?;
+        (get().look(one) == Some(LookWord::Color) && known(one).is_some()).then(|| one.to_owned())
+    };
+    let first = (i + 1..i + 4).find(|k| !said(*k)).unwrap_or(i + 1);
+    let Some(one) = color(first).filter(|_| word(tokens, i) == "in") else { return false };
+    let second = color(first + 2).filter(|_| tokens[first + 1].is("and"));
+    match second {
+        Some(second) => put(tokens, i, first + 3, &["in", "shades", "of", &one, "and", &second]),
+        None => put(tokens, i, first + 1, &["in", "shades", "of", &one]),
+    }
+    true
+}
+
 /// Where a phrase begins with what leads to it: "in", "in a".
 fn with_in(tokens: &[Token], start: usize) -> usize {
     let article = start - usize::from(start > 0 && matches!(word(tokens, start - 1), "a" | "an"));
@@ -80,6 +97,18 @@ fn with_in(tokens: &[Token], start: usize) -> usize {
 mod tests {
     use super::super::token::tokens;
     use super::*;
+
+    #[test]
+    fn plural_colors_are_shades() {
+        for (said, becomes) in [
+            ("a nursery in soft greens and natural wood", "a nursery in shades of green and natural wood"),
+            ("a study in blues and grays.", "a study in shades of blue and gray ."),
+            ("a kitchen with greens on the table", "a kitchen with greens on the table"),
+            ("a hall with glasses", "a hall with glasses"),
+        ] {
+            assert_eq!(crate::read::paraphrase::plainly(said), becomes);
+        }
+    }
 
     #[test]
     fn palettes_are_found_with_their_words() {

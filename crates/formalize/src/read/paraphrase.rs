@@ -9,11 +9,12 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 71] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 72] = [
             super::spelling::plain,
             super::activities::plain,
             super::amounts::plain,
             super::whereabouts::plain,
+            super::palette::plain,
             super::annexes::plain,
             super::each_with::plain,
             super::free_floor::plain,
