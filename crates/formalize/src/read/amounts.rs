@@ -1,6 +1,7 @@
 //! Amounts that nobody counts or measures: "lots of shelves", "shelves round the walls", "wide enough for a forklift", "about 20
 //! seats".
 
+use super::each_with::{goes_on, item};
 use super::lexicon::{get, plural, singular};
 use super::number::{count, length};
 use super::paraphrase::{put, word};
@@ -141,6 +142,12 @@ fn wide_enough(tokens: &mut Vec<Token>, i: usize) -> bool {
     let text = format!("{metres}");
     put(tokens, from, end, &["with", "at", "least", &text, "m", "between", "the", "rows"]);
     tokens[from + 3].kind = WordKind::Number(metres);
+    // What comes next is not between the rows.
+    let comma = from + 8;
+    let and = usize::from(matches!(word(tokens, comma + 1), "and" | "plus"));
+    if tokens.get(comma).is_some_and(|t| t.is(",")) && item(tokens, comma + 1 + and) {
+        goes_on(tokens, comma, and);
+    }
     true
 }
 
@@ -230,7 +237,7 @@ mod tests {
             ("four rows of racks at least 3 m between them", "four rows of racks with at least 3 m between the rows"),
             (
                 "rows of racks with boxes, aisles wide enough for a forklift so three metres or so, and a desk",
-                "rows of racks with boxes with at least 3 m between the rows , and a desk",
+                "rows of racks with boxes with at least 3 m between the rows . there is a desk",
             ),
             ("a door wide enough for a bed", "a door wide enough for a bed"),
             ("café, about 20 seats. counter on it", "cafe for 20 people . counter on it"),

@@ -20,7 +20,7 @@ fn whole(tokens: &[Token], i: usize) -> Option<usize> {
 
 /// "An office for twelve people, desks in groups of four": twelve desks in groups of four.
 fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let said = DESKS[..3].contains(&word(tokens, i))
+    let said = DESKS.contains(&word(tokens, i))
         && word(tokens, i + 1) == "in"
         && GROUPS.contains(&word(tokens, i + 2))
         && word(tokens, i + 3) == "of";
@@ -32,6 +32,15 @@ fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
     let is_for = |k: &usize| word(tokens, *k) == "for" && whole(tokens, k + 1).is_some();
     let Some(people) = (0..i).find(is_for).map(|k| k + 1) else { return false };
     let fits = whole(tokens, people).is_some_and(|n| n > each && n.is_multiple_of(each));
+    // Pupils share a table.
+    if fits && DESKS[3] == word(tokens, i) {
+        let all = whole(tokens, people).unwrap_or(each) / each;
+        let (all, four) = (all.to_string(), tokens[i + 4].clone());
+        put(tokens, i, i + 5, &[&all, "tables", "for", "n"]);
+        tokens[i].kind = WordKind::Number(all.parse().unwrap_or(1.0));
+        tokens[i + 3] = four;
+        return true;
+    }
     if fits {
         let number = Token { at: tokens[i].at.clone(), ..tokens[people].clone() };
         tokens.insert(i, number);
@@ -89,6 +98,10 @@ mod tests {
     #[test]
     fn desks_are_counted_by_whom_they_are_for() {
         for (said, becomes) in [
+            (
+                "a classroom for 24 children, tables in groups of four, and shelves",
+                "a classroom for 24 children , 6 tables for four , and shelves",
+            ),
             (
                 "an office for 12 people, desks in groups of four, each with a chair",
                 "an office for 12 people , 12 desks in groups of four , each with a chair",

@@ -76,7 +76,7 @@ fn with_at_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
 }
 
 /// Ends a list at a comma, after which another begins.
-fn goes_on(tokens: &mut Vec<Token>, comma: usize, and: usize) {
+pub(super) fn goes_on(tokens: &mut Vec<Token>, comma: usize, and: usize) {
     let verb = if word(tokens, comma + 1 + and) == "a" || word(tokens, comma + 1 + and) == "an" { "is" } else { "are" };
     let own = tokens[comma].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
@@ -132,7 +132,7 @@ fn closing(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
 }
 
 /// Whether a new thing is named here.
-fn item(tokens: &[Token], i: usize) -> bool {
+pub(super) fn item(tokens: &[Token], i: usize) -> bool {
     let counted = matches!(word(tokens, i), "a" | "an" | "some" | "one") || number(tokens, i).is_some_and(|n| n > 1);
     // "Two bedrooms, each with its own bathroom, and a kitchen" are rooms, and are read as such.
     let is_room = (1..=2).any(|n| get().room(word(tokens, i + n)).is_some());

@@ -70,7 +70,7 @@ fn palette(tokens: &[Token], at: usize) -> Option<(Vec<String>, Range<usize>)> {
     (!colors.is_empty()).then(|| (colors, with_in(tokens, start)..at + 1))
 }
 
-/// "In soft greens and blues": in shades of green and blue.
+/// "In soft greens and blues": in green and blue tones.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = |k: usize| SAID.contains(&word(tokens, k)) || MOODS.iter().any(|(mood, _)| *mood == word(tokens, k));
     let color = |k: usize| {
@@ -81,8 +81,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some(one) = color(first).filter(|_| word(tokens, i) == "in") else { return false };
     let second = color(first + 2).filter(|_| tokens[first + 1].is("and"));
     match second {
-        Some(second) => put(tokens, i, first + 3, &["in", "shades", "of", &one, "and", &second]),
-        None => put(tokens, i, first + 1, &["in", "shades", "of", &one]),
+        Some(second) => put(tokens, i, first + 3, &["in", &one, "and", &second, "tones"]),
+        None => put(tokens, i, first + 1, &["in", &one, "tones"]),
     }
     true
 }
@@ -99,10 +99,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn plural_colors_are_shades() {
+    fn plural_colors_are_tones() {
         for (said, becomes) in [
-            ("a nursery in soft greens and natural wood", "a nursery in shades of green and natural wood"),
-            ("a study in blues and grays.", "a study in shades of blue and gray ."),
+            ("a nursery in soft greens and natural wood", "a nursery in green tones and natural wood"),
+            ("a study in blues and grays.", "a study in blue and gray tones ."),
             ("a kitchen with greens on the table", "a kitchen with greens on the table"),
             ("a hall with glasses", "a hall with glasses"),
         ] {
