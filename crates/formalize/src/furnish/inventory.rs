@@ -262,7 +262,7 @@ pub(super) fn single(plan: &mut Plan, line: &Line, n: usize, why: &str) {
         }
         size[0] = *width;
     }
-    // So is a desk: rather one with a chair than two without.
+    // A desk that nobody can sit at is left out: rather one with a chair than two without.
     let is_sat_at = |part: &groups::GroupPart| stand::group(part.noun) == Group::Seat;
     if known && is_desk(line.noun) && groups::of(line.noun, plan.kind.dress).iter().any(is_sat_at) {
         let is_first = plan.kind.lines.first().is_some_and(|first| first.noun == line.noun);

@@ -237,7 +237,10 @@ fn see_over(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !over || !matches!(word(tokens, can + 3), "them" | "it") {
         return false;
     }
-    tokens.drain(i..can + 4);
+    // It stays a clause of its own, of which no statement comes.
+    put(tokens, i, can + 4, &["view"]);
+    let comma = Token { kind: WordKind::Sign(','), text: ",".to_owned(), ..tokens[i].clone() };
+    tokens.insert(i, comma);
     true
 }
 
@@ -273,7 +276,7 @@ mod tests {
             ("it rains, so make a roof", "it rains , so make a roof"),
             (
                 "shelves no taller than 1.4 m so the librarian can see over them, and a desk",
-                "shelves no taller than 1.4 m , and a desk",
+                "shelves no taller than 1.4 m , view , and a desk",
             ),
             ("year 2 classroom for 24 children", "school classroom for 24 children"),
             ("a place to call home", "a place to call home"),

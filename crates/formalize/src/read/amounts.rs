@@ -34,13 +34,15 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || seats_people(tokens, i)
 }
 
-/// Where a noun ends that names several things for which there is a place on the floor or at a wall; words for their looks may precede.
+/// Where a noun ends that names several things for which there is a place on the floor or at a wall; words for their looks may
+/// precede.
 fn several(tokens: &[Token], i: usize) -> Option<usize> {
     let looks = (i..i + 3).take_while(|k| get().is_look(word(tokens, *k))).count();
     let name = noun(tokens, i + looks)?;
     let last = word(tokens, name.end - 1);
     let kind = get().noun(&singular(last));
-    let stands = matches!(kind, Some(Group::Seat | Group::Table | Group::Storage | Group::Floor | Group::Wall));
+    // How many tables and seats there are follows from the room.
+    let stands = matches!(kind, Some(Group::Storage | Group::Floor | Group::Wall));
     (plural(last) && stands).then_some(name.end)
 }
 
@@ -115,8 +117,7 @@ fn in_a_run(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Wide enough between them for a forklift, so 3.5 metres or more", "with aisles wide enough for a forklift": at least so much
 /// between the rows.
 fn wide_enough(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let aisles =
-        usize::from(matches!(word(tokens, i), "aisles" | "aisle" | "gaps" | "gangways" | "lanes" | "corridors"));
+    let aisles = usize::from(matches!(word(tokens, i), "aisles" | "aisle" | "gaps" | "gangways" | "lanes"));
     let wide = i + aisles;
     let between = wide + 2 + 2 * usize::from(word(tokens, wide + 2) == "between" && word(tokens, wide + 3) == "them");
     let whom = between + 1 + usize::from(matches!(word(tokens, between + 1), "a" | "an" | "the"));
@@ -224,6 +225,7 @@ mod tests {
         for (said, becomes) in [
             ("a room with lots of tall shelves", "a room with 5 tall shelves"),
             ("an office with plenty of plants", "an office with 5 plants"),
+            ("a restaurant with lots of tables", "a restaurant with lots of tables"),
             ("a room with lots of light", "a room with lots of light"),
             ("tall shelves round the walls and a table", "6 tall shelves against the walls and a table"),
             ("three shelves along the walls", "three shelves along the walls"),
