@@ -21,6 +21,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || left_free(tokens, i)
         || amount_left(tokens, i)
         || in_the_middle(tokens, i)
+        || turning(tokens, i)
 }
 
 /// Where a floor area of a stated size ends that begins here: "4 by 4 m", "2 m x 3 m", "16 m²".
@@ -143,6 +144,26 @@ fn amount_left(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Plenty of turning space", of somebody in a wheelchair: a free area as large as DIN 18040-2 asks, 1.5 m by 1.5 m.
+fn turning(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let amount = match [word(tokens, i), word(tokens, i + 1)] {
+        ["plenty" | "lots", "of"] => 2,
+        ["enough" | "some" | "a", _] => 1,
+        _ => return false,
+    };
+    let space = i + amount + 1;
+    let named = matches!(word(tokens, space), "space" | "room" | "circle" | "area");
+    if word(tokens, i + amount) != "turning" || !named {
+        return false;
+    }
+    put(tokens, i, space + 1, &["a", "free", "area", "of", "n", "m", "by", "n", "m"]);
+    for k in [i + 4, i + 7] {
+        tokens[k].kind = WordKind::Number(1.5);
+        tokens[k].text = "1.5".to_owned();
+    }
+    true
+}
+
 /// "With an open space in the middle": a free area there.
 fn in_the_middle(tokens: &mut Vec<Token>, i: usize) -> bool {
     let article = matches!(word(tokens, i), "a" | "an" | "some" | "enough" | "plenty" | "lots");
@@ -195,6 +216,8 @@ mod tests {
             ),
             ("a table in the middle, clear of things", "a table in the middle , clear of things"),
             ("the middle drawer is empty", "the middle drawer is empty"),
+            ("grab bars and plenty of turning space", "grab bars and a free area of 1.5 m by 1.5 m"),
+            ("a turning lathe", "a turning lathe"),
             ("an open space of 4 by 5 m", "a free area of 4 by 5 m"),
         ] {
             assert_eq!(plainly(said), becomes);

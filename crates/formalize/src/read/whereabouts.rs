@@ -4,7 +4,9 @@
 use super::lexicon::{get, plural};
 use super::number::count;
 use super::paraphrase::{put, word};
+use super::shares::noun;
 use super::token::{Token, WordKind};
+use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
@@ -14,6 +16,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || one_side_only(tokens, i)
         || on_each_side(tokens, i)
         || on_side_walls(tokens, i)
+        || with_in_corner(tokens, i)
 }
 
 /// "A stage at one end": at a wall. Which one is the end of a room depends on its size, which nobody has given.
@@ -130,6 +133,25 @@ fn on_side_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "A reading chair with a floor lamp in the corner": the chair is in the corner.
+fn with_in_corner(tokens: &mut [Token], i: usize) -> bool {
+    let seat = |name: &str| matches!(get().noun(name), Some(Group::Seat | Group::Bed));
+    let said = i > 0 && word(tokens, i) == "with" && matches!(word(tokens, i + 1), "a" | "an");
+    let whose = said
+        && (1..=2).any(|n| i >= n && noun(tokens, i - n).is_some_and(|name| name.end == i))
+        && seat(word(tokens, i - 1));
+    let Some(name) = noun(tokens, i + 2).filter(|_| whose) else { return false };
+    let corner = |k: usize| word(tokens, k) == "in" && matches!(word(tokens, k + 1), "the" | "a" | "one");
+    let at = name.end;
+    if !corner(at) || word(tokens, at + 2) != "corner" {
+        return false;
+    }
+    let goes_on = matches!(word(tokens, at + 3), "by" | "near") && word(tokens, at + 4) == "the";
+    let end = at + 3 + if goes_on { 3 } else { 0 };
+    tokens[i..end].rotate_left(at - i);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -137,6 +159,11 @@ mod tests {
     #[test]
     fn places_are_said_plainly() {
         for (said, becomes) in [
+            (
+                "a reading chair with a floor lamp in the corner by the window",
+                "a reading chair in the corner by the window with a floor lamp",
+            ),
+            ("a table with a plant in the corner", "a table with a plant in the corner"),
             ("a hall with a stage at one end and chairs", "a hall with a stage against a wall and chairs"),
             ("one big table at the far end with eight chairs", "one big table at the back with eight chairs"),
             ("a sofa at one end and a desk at the other", "a sofa at one end and a desk at the other"),
