@@ -14,6 +14,8 @@ const IN_RING: f64 = 0.3;
 const RADIUS: f64 = 1.0;
 /// What stands in a group, and has no place of its own in it, is so near to the first (metres).
 const IN_GROUP: f64 = 1.0;
+/// So many seats at a side of a table are spread evenly; fewer may stand as other furniture lets them.
+const MANY_AT_SIDE: usize = 3;
 
 fn thousandths(v: f64) -> f64 {
     (v * 1000.0).round() / 1000.0
@@ -298,7 +300,10 @@ impl Named<'_> {
     fn along_sides(&self, a: usize) -> Option<String> {
         let (long, b) = self.brief.facts.iter().find_map(|f| match &f.what {
             FactKind::Rel(rel @ (Rel::LongSide | Rel::ShortSide), to) if f.of == [a] && to.len() == 1 && !f.not => {
-                Some((*rel == Rel::LongSide, to[0]))
+                // "Along the long side" is one side.
+                let said = self.brief.request.get(f.source.at()).unwrap_or_default().to_lowercase();
+                let both = ["each side", "either side", "both", "sides"].iter().any(|side| said.contains(side));
+                both.then_some((*rel == Rel::LongSide, to[0]))
             }
             _ => None,
         })?;
@@ -307,7 +312,7 @@ impl Named<'_> {
         let wide = long == (w >= d);
         let each = n / (2 * m.max(1));
         let fits = each as f64 * (seat[0] + 0.05) <= if wide { w } else { d };
-        if self.group(a) != Group::Seat || !self.array(a) || each == 0 || n != 2 * m * each || !fits {
+        if self.group(a) != Group::Seat || !self.array(a) || each < MANY_AT_SIDE || n != 2 * m * each || !fits {
             return None;
         }
         let (of, to) = (self.name(a), if m > 1 { format!("{}[i]", self.name(b)) } else { self.name(b).to_owned() });
