@@ -222,7 +222,7 @@ fn background(tokens: &mut Vec<Token>, i: usize) -> bool {
     let of = (from..i).find(|k| matches!([word(tokens, *k), word(tokens, k + 1)], ["family" | "group" | "team", "of"]));
     let Some(number) = of.map(|of| of + 2).filter(|k| count(&tokens[*k..]).is_some()) else { return false };
     let people = word(tokens, number).to_owned();
-    let kind = tokens[number].kind.clone();
+    let kind = tokens[number].kind;
     put(tokens, from, i + 1, &["for", &people, "people", "please"]);
     tokens[from + 1].kind = kind;
     true

@@ -94,7 +94,7 @@ fn one_side_only(tokens: &mut Vec<Token>, i: usize) -> bool {
 }
 
 /// "Two long tables with lamps, five chairs on each side": with five chairs on each side of each table.
-fn on_each_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+fn on_each_side(tokens: &mut [Token], i: usize) -> bool {
     const TABLES: [&str; 4] = ["tables", "desks", "benches", "workbenches"];
     let Some((_, used)) = count(tokens.get(i + 1..).unwrap_or(&[])).filter(|_| tokens[i].is(",")) else { return false };
     let seats = i + 1 + used;
