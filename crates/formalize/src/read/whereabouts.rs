@@ -57,8 +57,19 @@ fn coming_in(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "Tables along the big front window": near it.
+/// "Tables along the big front window": near it. "A desk near its sill": near the window. Light that filters in is no filter.
 fn at_the_window(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let light = i > 0 && matches!(word(tokens, i - 1), "light" | "sunlight" | "daylight" | "moonlight" | "sun");
+    if light && matches!(word(tokens, i), "filters" | "pours" | "spills") {
+        put(tokens, i, i + 1, &["streams"]);
+        return true;
+    }
+    let near = matches!(word(tokens, i), "near" | "by" | "under" | "below" | "beneath");
+    let window = || tokens[..i].iter().rev().take(30).any(|t| t.is("window") || t.is("windows"));
+    if near && word(tokens, i + 1) == "its" && word(tokens, i + 2) == "sill" && window() {
+        put(tokens, i + 1, i + 3, &["the", "window"]);
+        return true;
+    }
     let said = word(tokens, i) == "along" && matches!(word(tokens, i + 1), "the" | "a");
     let window = (i + 2..i + 5).find(|k| matches!(word(tokens, *k), "window" | "windows"));
     let Some(window) = window.filter(|_| said) else { return false };
@@ -159,6 +170,11 @@ mod tests {
     #[test]
     fn places_are_said_plainly() {
         for (said, becomes) in [
+            (
+                "soft light filters through the window onto a desk near its sill",
+                "soft light streams through the window onto a desk near the window",
+            ),
+            ("a box of filters near its lid", "a box of filters near its lid"),
             (
                 "a reading chair with a floor lamp in the corner by the window",
                 "a reading chair in the corner by the window with a floor lamp",
