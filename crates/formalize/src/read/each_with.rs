@@ -61,7 +61,7 @@ fn on_each(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Eight workbenches with vices along the two long walls, a rack": the benches stand there, and the rack is there once.
 fn with_at_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     let host = i > 0 && word(tokens, i) == "with" && plural(word(tokens, i - 1));
-    let bare = host && plural(word(tokens, i + 1)) && !number(tokens, i + 1).is_some_and(|_| true);
+    let bare = host && plural(word(tokens, i + 1)) && number(tokens, i + 1).is_none();
     let along = matches!(word(tokens, i + 2), "along" | "against");
     let Some(walls) = (i + 3..i + 8).find(|k| matches!(word(tokens, *k), "wall" | "walls")).filter(|_| bare && along)
     else {

@@ -26,7 +26,7 @@ const NEAR: usize = 5;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    racking(tokens, i)
+    renamed(tokens, i)
         || timber(tokens, i)
         || cloakroom(tokens, i)
         || storage(tokens, i)
@@ -35,8 +35,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || partners(tokens, i)
 }
 
-/// "Tall pallet racking": racks. "Clamps hanging up": on the wall.
-fn racking(tokens: &mut Vec<Token>, i: usize) -> bool {
+/// Other words for the same: "pallet racking" is racks, a telly a television, and what hangs up hangs on the wall.
+fn renamed(tokens: &mut Vec<Token>, i: usize) -> bool {
     if word(tokens, i) == "racking" {
         put(tokens, i, i + 1, &["racks"]);
         return true;

@@ -157,7 +157,9 @@ fn with_in_corner(tokens: &mut [Token], i: usize) -> bool {
     if !corner(at) || word(tokens, at + 2) != "corner" {
         return false;
     }
-    let goes_on = matches!(word(tokens, at + 3), "by" | "near") && word(tokens, at + 4) == "the";
+    let goes_on = matches!(word(tokens, at + 3), "by" | "near")
+        && word(tokens, at + 4) == "the"
+        && tokens.get(at + 5).is_some_and(Token::word);
     let end = at + 3 + if goes_on { 3 } else { 0 };
     tokens[i..end].rotate_left(at - i);
     true
@@ -178,6 +180,10 @@ mod tests {
             (
                 "a reading chair with a floor lamp in the corner by the window",
                 "a reading chair in the corner by the window with a floor lamp",
+            ),
+            (
+                "a reading chair with a floor lamp in the corner by the",
+                "a reading chair in the corner with a floor lamp by the",
             ),
             ("a table with a plant in the corner", "a table with a plant in the corner"),
             ("a hall with a stage at one end and chairs", "a hall with a stage against a wall and chairs"),
