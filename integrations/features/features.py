@@ -6,7 +6,7 @@ QUERIES.json is what `scenelang assets queries ROOM.scene … --format json` pri
 "Furniture" of the book describes it.
 With --from, the vectors of the models are those of objathor: OBJATHOR has clip_features.pkl and sbert_features.pkl. A pickle
 can run any program, so use files of people you trust. Without --from, FOLDER/features must have the vectors of the models
-already, and only those of the queries are written anew.
+already (in these two files or as arrays), and only those of the queries are written anew.
 Needs numpy; for the queries also open_clip_torch and sentence-transformers, whose networks must be on this machine. They are
 those of objathor: ViT-L-14 (laion2b_s32b_b82k) and all-mpnet-base-v2.
 """

@@ -4,7 +4,7 @@ usage: physics.py LAYOUT.json FACTS.json [LAYOUT.json FACTS.json …] [--seconds
 
 LAYOUT is a scenelang layout. FACTS says what the program behind it states, which a layout does not record:
   {"held": ["door", …],            hung on a wall or a ceiling, set in a wall, or floating by permission
-   "overlap": [["rug", "bed"], …]} pairs that may share space
+   "overlap": [["rug", "bed"], …]} pairs that may share space; those that do not are solid for each other
 Frames: the layout is left-handed with y up, MuJoCo right-handed with z up; y and z change places, so a point
 (x, y, z) becomes (x, z, y) and a rotation R becomes S R S with S the exchange of the two axes.
 Prints a line of JSON for each layout. Exit 0: all are sound; 1: an overlap above 2 mm or a move above 2 cm; 2: cannot judge.
@@ -17,6 +17,7 @@ import mujoco
 import numpy as np
 
 OVERLAP = 0.002  # metres two solids may share
+TOUCH = 0.0005  # metres two solids share that only touch
 DRIFT = 0.02  # metres a body may move while it settles
 SWAP = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])
 CYLINDER_SIDES = 24  # a cylinder part is this regular prism, a vertex on +x
@@ -94,26 +95,41 @@ def build(layout, held, overlap):
     return spec.compile()
 
 
-def overlaps(model, held, overlap):
-    """Deepest overlap of every pair of objects, and of every object with the floor, by the distance of their parts."""
+def depths(model, pairs=None):
+    """How deep every pair of bodies, or every one of these pairs, is in each other, by the distance of their parts."""
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    allowed = {frozenset(pair) for pair in overlap}
     owner = [model.body(model.geom_bodyid[g]).name for g in range(model.ngeom)]
     found = {}
     for a in range(model.ngeom):
         for b in range(a + 1, model.ngeom):
             pair = frozenset((owner[a], owner[b]))
-            # A door leaf reaches to the floor of the room it opens, so what is held is not measured against it.
-            if len(pair) == 1 or pair in allowed or ("world" in pair and pair & held):
+            if len(pair) == 1 or (pairs is not None and pair not in pairs):
                 continue
             apart = np.linalg.norm(data.geom_xpos[a] - data.geom_xpos[b]) - model.geom_rbound[a] - model.geom_rbound[b]
             if "world" not in pair and apart > 0:
                 continue
             depth = -mujoco.mj_geomDistance(model, data, a, b, 0.01, None)
-            if depth > OVERLAP:
-                found[pair] = max(found.get(pair, 0), float(depth))
-    return [{"pair": sorted(pair), "metres": round(depth, 4)} for pair, depth in sorted(found.items(), key=lambda x: -x[1])]
+            found[pair] = max(found.get(pair, 0), float(depth))
+    return found
+
+
+def shared(layout, held, overlap):
+    """The pairs that may share space and do."""
+    allowed = {frozenset(pair) for pair in overlap}
+    return [tuple(pair) for pair, depth in depths(build(layout, held, []), allowed).items() if depth > TOUCH]
+
+
+def overlaps(model, held, overlap):
+    """Deepest overlap of every pair of objects, and of every object with the floor."""
+    allowed = {frozenset(pair) for pair in overlap}
+    # A door leaf reaches to the floor of the room it opens, so what is held is not measured against it.
+    wrong = {
+        pair: depth
+        for pair, depth in depths(model).items()
+        if depth > OVERLAP and pair not in allowed and not ("world" in pair and pair & held)
+    }
+    return [{"pair": sorted(pair), "metres": round(depth, 4)} for pair, depth in sorted(wrong.items(), key=lambda x: -x[1])]
 
 
 def drifts(model, held, seconds):
@@ -137,15 +153,15 @@ def judge(layout_file, facts_file, seconds):
         with open(facts_file, encoding="utf-8") as file:
             facts = json.load(file)
         held = set(facts["held"])
-        model = build(layout, held, facts["overlap"])
+        model = build(layout, held, shared(layout, held, facts["overlap"]))
     except Exception as problem:  # whatever it is, the verdict is: cannot judge
         print(f"{layout_file}: cannot judge: {type(problem).__name__}: {problem}", file=sys.stderr)
         return 2
-    shared = overlaps(model, held, facts["overlap"])
+    wrong = overlaps(model, held, facts["overlap"])
     moved, most = drifts(model, held, seconds)
-    found = {"objects": len(layout["objects"]), "overlaps": shared, "moved": moved, "largest_move": round(most, 5)}
+    found = {"objects": len(layout["objects"]), "overlaps": wrong, "moved": moved, "largest_move": round(most, 5)}
     print(json.dumps({"layout": layout_file, **found}))
-    return 1 if shared or moved else 0
+    return 1 if wrong or moved else 0
 
 
 def main():

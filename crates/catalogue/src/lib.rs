@@ -24,6 +24,7 @@ mod model;
 mod npy;
 mod obj;
 mod objathor;
+mod pickle;
 mod pieces;
 mod provide;
 mod raw;

@@ -20,3 +20,5 @@ pub const MODELS: usize = 200_000;
 pub const FOLDERS: usize = 16;
 /// An array of features is at most so large (bytes).
 pub const FEATURES: usize = 512 << 20;
+/// A pickle has at most so many values, all copies of shared ones counted.
+pub const VALUES: usize = 16 << 20;

@@ -14,8 +14,8 @@ const HEADER: usize = 1 << 16;
 const DIMENSIONS: usize = 3;
 
 /// How a number is written.
-#[derive(Clone, Copy)]
-enum Kind {
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Kind {
     Half,
     Single,
     Double,
@@ -49,37 +49,70 @@ pub(crate) fn read(bytes: &[u8], name: &str) -> Result<Array, Fault> {
     let header = rest.get(begin..begin + length).ok_or_else(early)?;
     let header = std::str::from_utf8(header).map_err(|_| wrong("its header is not text"))?;
     let (kind, shape) = described(header).map_err(|why| wrong(&why))?;
-    let width = match kind {
-        Kind::Half => 2,
-        Kind::Single => 4,
-        Kind::Double => 8,
-    };
-    let count = shape.iter().try_fold(1_usize, |n, extent| n.checked_mul(*extent));
-    let wanted = count.and_then(|n| n.checked_mul(width)).filter(|n| *n <= limits::FEATURES);
-    let Some(wanted) = wanted else {
+    if kind.size(&shape).is_none() {
         let most = limits::FEATURES >> 20;
         return Err(beyond(format!("{name}: it declares an array of {shape:?} numbers; the maximum is {most} MB")));
-    };
-    let data = &rest[begin + length..];
-    if data.len() < wanted {
-        return Err(early());
     }
-    if data.len() > wanted {
-        return Err(wrong(&format!("it has {} bytes after its array", data.len() - wanted)));
+    Array::new(kind, shape, &rest[begin + length..]).map_err(|why| wrong(&why))
+}
+
+impl Array {
+    /// An array of the numbers that bytes stand for.
+    ///
+    /// # Errors
+    /// The shape is none that is supported, the bytes do not fit it, or a number is not finite.
+    pub fn new(kind: Kind, shape: Vec<usize>, data: &[u8]) -> Result<Self, String> {
+        if !(1..=DIMENSIONS).contains(&shape.len()) || shape.contains(&0) {
+            return Err(format!("its shape is {shape:?}; expected one to {DIMENSIONS} dimensions, none of them 0"));
+        }
+        let wanted = kind.size(&shape).filter(|wanted| *wanted <= data.len()).ok_or("it ends early")?;
+        if data.len() > wanted {
+            return Err(format!("it has {} bytes after its array", data.len() - wanted));
+        }
+        let numbers = kind.numbers(data);
+        if let Some(at) = numbers.iter().position(|x| !x.is_finite()) {
+            let row = at / (numbers.len() / shape[0]);
+            return Err(format!("row {row} has a number that is not finite"));
+        }
+        Ok(Self { shape, numbers })
     }
-    let numbers: Vec<f32> = match kind {
-        Kind::Half => data.chunks_exact(2).map(|b| half(u16::from_le_bytes([b[0], b[1]]))).collect(),
-        Kind::Single => data.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect(),
-        Kind::Double => data
-            .chunks_exact(8)
-            .map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]) as f32)
-            .collect(),
-    };
-    if let Some(at) = numbers.iter().position(|x| !x.is_finite()) {
-        let row = at / (numbers.len() / shape[0]);
-        return Err(wrong(&format!("row {row} has a number that is not finite")));
+}
+
+impl Kind {
+    /// By the name that NumPy has for it.
+    pub fn named(name: &str) -> Result<Self, String> {
+        match name {
+            "<f2" => Ok(Self::Half),
+            "<f4" => Ok(Self::Single),
+            "<f8" => Ok(Self::Double),
+            other => Err(format!(
+                "it has numbers of type {other:?}; \"<f2\", \"<f4\" and \"<f8\" are supported: use array.astype('<f4')"
+            )),
+        }
     }
-    Ok(Array { shape, numbers })
+
+    /// How many bytes an array has, unless they are too many.
+    fn size(self, shape: &[usize]) -> Option<usize> {
+        let width = match self {
+            Self::Half => 2,
+            Self::Single => 4,
+            Self::Double => 8,
+        };
+        let count = shape.iter().try_fold(1_usize, |n, extent| n.checked_mul(*extent))?;
+        count.checked_mul(width).filter(|n| *n <= limits::FEATURES)
+    }
+
+    /// The numbers that bytes stand for.
+    pub fn numbers(self, data: &[u8]) -> Vec<f32> {
+        match self {
+            Self::Half => data.chunks_exact(2).map(|b| half(u16::from_le_bytes([b[0], b[1]]))).collect(),
+            Self::Single => data.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect(),
+            Self::Double => data
+                .chunks_exact(8)
+                .map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]) as f32)
+                .collect(),
+        }
+    }
 }
 
 /// What a header says: `{'descr': '<f2', 'fortran_order': False, 'shape': (3, 768), }`.
@@ -90,27 +123,14 @@ fn described(header: &str) -> Result<(Kind, Vec<usize>), String> {
         at.map(|at| header[at..].trim_start()).ok_or_else(|| format!("its header has no `{key}`"))
     };
     let descr = after("descr")?.trim_start_matches(['\'', '"']);
-    let kind = match descr.split(['\'', '"']).next().unwrap_or_default() {
-        "<f2" => Kind::Half,
-        "<f4" => Kind::Single,
-        "<f8" => Kind::Double,
-        other => {
-            return Err(format!(
-                "it has numbers of type {other:?}; \"<f2\", \"<f4\" and \"<f8\" are supported: use array.astype('<f4')"
-            ));
-        }
-    };
+    let kind = Kind::named(descr.split(['\'', '"']).next().unwrap_or_default())?;
     if !after("fortran_order")?.starts_with("False") {
         return Err("it is in Fortran order; write numpy.ascontiguousarray(array)".to_owned());
     }
     let shape = after("shape")?.strip_prefix('(').and_then(|rest| rest.split_once(')')).map(|(inner, _)| inner);
     let extents = shape.into_iter().flat_map(|inner| inner.split(',')).map(str::trim).filter(|part| !part.is_empty());
     let shape: Option<Vec<usize>> = extents.map(|part| part.parse().ok()).collect();
-    match shape {
-        Some(shape) if (1..=DIMENSIONS).contains(&shape.len()) && !shape.contains(&0) => Ok((kind, shape)),
-        Some(shape) => Err(format!("its shape is {shape:?}; expected one to {DIMENSIONS} dimensions, none of them 0")),
-        None => Err("its header has no shape".to_owned()),
-    }
+    Ok((kind, shape.ok_or("its header has no shape")?))
 }
 
 /// A number of half precision, exactly.

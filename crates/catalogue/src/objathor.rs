@@ -1,14 +1,14 @@
 //! The folder of objathor and Holodeck: what is known of all objects in `annotations.json.gz`, and the triangles of each in
-//! `assets/UID/UID.json.gz` (or without `.gz`).
+//! `assets/UID/UID.pkl.gz`, or in JSON or MessagePack.
 //!
 //! Triangles are in the frame of Unity, which is that of the layout, in metres. Any member of an annotation may be
-//! missing. The other forms in which objathor keeps triangles (pickle, MessagePack) are named and not read: a pickle can
-//! be a program.
+//! missing.
 
 use crate::card::Card;
 use crate::faults::{Fault, beyond, broken, fault};
 use crate::limits;
 use crate::model::{Axes, CatalogueModel};
+use crate::pickle::Pickle;
 use crate::raw::{Patch, Raw};
 use flate2::read::GzDecoder;
 use scenelang_assets::covering;
@@ -24,9 +24,8 @@ use std::path::{Path, PathBuf};
 
 /// What the file about all objects is called; the first that is there counts.
 pub(crate) const ANNOTATIONS: [&str; 2] = ["annotations.json.gz", "annotations.json"];
-/// Forms of triangles that are read, and those that are only named.
-const READ: [&str; 2] = ["json.gz", "json"];
-const NAMED: [&str; 4] = ["pkl.gz", "msgpack.gz", "msgpack", "pkl"];
+/// What the file of an object ends with, in the order of objathor; the first that is there counts.
+const ENDINGS: [&str; 6] = ["pkl.gz", "pkl", "msgpack.gz", "msgpack", "json.gz", "json"];
 
 /// The members of an annotation that are looked at; each may be anything.
 #[derive(Debug, Default, Deserialize)]
@@ -47,7 +46,7 @@ struct Annotation {
 
 /// The triangles of an object.
 #[derive(Debug, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[serde(rename_all = "camelCase", expecting = "an object with vertices and triangles")]
 struct Asset {
     vertices: Vec<Point>,
     triangles: Vec<u32>,
@@ -106,16 +105,8 @@ pub(crate) fn objects(folder: &Path, annotations: &str, door: &Door) -> Result<F
         }
         let at = |ending: &str| format!("assets/{uid}/{uid}.{ending}");
         let is_there = |ending: &&&str| door.is_file(&folder.join(at(ending)));
-        if let Some(ending) = READ.iter().find(is_there) {
+        if let Some(ending) = ENDINGS.iter().find(is_there) {
             found.push(Object { file: at(ending), card: card(&annotation) });
-        } else if let Some(ending) = NAMED.iter().find(is_there) {
-            let mut fault = broken(format!("models in .{ending} files are not supported"));
-            fault.notes.push(
-                "objathor writes them as .json.gz, too: `save_thor_asset_file(load_existing_thor_asset_file(DIR, UID), \
-                 \"UID.json.gz\")` of its module `asset_conversion.util`"
-                    .to_owned(),
-            );
-            wrong.push((at(ending), fault));
         } else {
             missing += 1;
         }
@@ -167,9 +158,7 @@ impl Card {
 
 /// Reads the triangles of an object.
 pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<CatalogueModel, Fault> {
-    let bytes = unpacked(bytes)?;
-    let asset: Asset =
-        serde_json::from_slice(&bytes).map_err(|e| broken(format!("it is not an objathor model: {e}")))?;
+    let asset = asset(file, &unpacked(bytes)?).map_err(|why| broken(format!("it is not an objathor model: {why}")))?;
     let vectors = |points: &[Point]| -> Vec<Vec3> { points.iter().map(|p| Vec3::from(*p)).collect() };
     let positions = vectors(&asset.vertices);
     let normals = Some(vectors(&asset.normals)).filter(|n| n.len() == positions.len()).unwrap_or_default();
@@ -192,6 +181,16 @@ pub(crate) fn model(file: &str, card: Card, bytes: Vec<u8>) -> Result<CatalogueM
     }
     model.card = card;
     Ok(model)
+}
+
+/// The triangles in a file, in the form that its name says.
+fn asset(file: &str, bytes: &[u8]) -> Result<Asset, String> {
+    let name = file.strip_suffix(".gz").unwrap_or(file);
+    match name.rsplit('.').next() {
+        Some("pkl") => serde_json::from_value(Pickle::read(bytes)?.json()?).map_err(|e| e.to_string()),
+        Some("msgpack") => rmp_serde::from_slice(bytes).map_err(|e| e.to_string()),
+        _ => serde_json::from_slice(bytes).map_err(|e| e.to_string()),
+    }
 }
 
 /// The bytes, unpacked where they are those of a gzip file.

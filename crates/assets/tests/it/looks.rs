@@ -19,7 +19,7 @@ const MOST: usize = 3000;
 
 /// Every family, and every noun that a family draws in a shape of its own, in all sizes with all features, with a name for
 /// messages.
-fn all() -> impl Iterator<Item = (String, Asset)> {
+pub fn all() -> impl Iterator<Item = (String, Asset)> {
     let shapes = SHAPES.iter().map(|noun| ((*noun).to_owned(), table()[*noun].size));
     usual().values().cloned().chain(shapes).flat_map(|(noun, usual)| {
         FACTORS.into_iter().flat_map(move |factor| {
@@ -34,7 +34,7 @@ fn all() -> impl Iterator<Item = (String, Asset)> {
     })
 }
 
-fn report(bad: &[String]) {
+pub fn report(bad: &[String]) {
     assert!(bad.is_empty(), "{} bad:\n{}", bad.len(), bad[..bad.len().min(600)].join("\n"));
 }
 
@@ -130,7 +130,7 @@ struct Face {
 
 /// Faces no farther from each other than this are in one plane (metres); less area than this (square metres) is not seen.
 const NEAR: f64 = 1e-4;
-const SEEN: f64 = 1e-4;
+pub const SEEN: f64 = 1e-4;
 
 fn faces(asset: &Asset) -> Vec<Face> {
     let mut out = Vec::new();
@@ -208,7 +208,7 @@ fn depth(faces: &[[Vec3; 3]], from: Vec3) -> i32 {
 }
 
 /// The area of faces that are seen in one plane, and where the most of it is.
-fn fighting(asset: &Asset) -> (f64, String) {
+pub fn fighting(asset: &Asset) -> (f64, String) {
     let mut faces = faces(asset);
     let whole: Vec<[Vec3; 3]> = triangles(&asset.mesh).collect();
     faces.sort_by(|a, b| a.offset.total_cmp(&b.offset));

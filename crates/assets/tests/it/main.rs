@@ -4,4 +4,5 @@
 mod geometry;
 mod looks;
 mod nouns;
+mod opened;
 mod shapes;

@@ -10,6 +10,7 @@ mod known;
 use crate::faults::{Fault, fault};
 use crate::folder::Entry;
 use crate::npy::{self, Array};
+use crate::pickle::Pickle;
 use crate::search::Hit;
 use known::{Known, Of};
 use rustc_hash::FxHashMap;
@@ -29,6 +30,9 @@ pub(crate) const FOLDER: &str = "features";
 const NAMES: &str = "names.json";
 const QUERIES: &str = "queries.json";
 const ARRAYS: [&str; 4] = ["clip_models.npy", "sbert_models.npy", "clip_queries.npy", "sbert_queries.npy"];
+/// The features of models in a folder of Holodeck, with the members that are used: they take the place of the list of
+/// names and of the arrays of the models.
+const PICKLES: [(&str, &str); 2] = [("clip_features.pkl", "img_features"), ("sbert_features.pkl", "text_features")];
 
 /// Vectors of the models of a folder and of queries.
 #[derive(Debug)]
@@ -72,6 +76,7 @@ impl Features {
     /// A file is missing, is not what it should be, does not fit the others, or goes beyond the limits.
     pub(crate) fn open(folder: &Path, door: &Door) -> Result<Option<Self>, Fault> {
         let folder = folder.join(FOLDER);
+        // Holodeck has features of its models, and none of queries until they are computed.
         if ![NAMES, QUERIES].iter().chain(&ARRAYS).any(|name| door.is_file(&folder.join(name))) {
             return Ok(None);
         }
@@ -83,22 +88,33 @@ impl Features {
             })
         };
         let rows = |name: &str| -> Result<FxHashMap<String, usize>, Fault> {
-            let list: Vec<String> = serde_json::from_slice(&bytes(name)?)
+            let list = serde_json::from_slice(&bytes(name)?)
                 .map_err(|e| broken(format!("{FOLDER}/{name}: it is not a list of strings: {e}")))?;
-            let count = list.len();
-            let rows: FxHashMap<String, usize> = list.into_iter().enumerate().map(|(i, text)| (text, i)).collect();
-            if rows.len() < count {
-                return Err(broken(format!("{FOLDER}/{name}: it contains the same text twice")));
-            }
-            Ok(rows)
+            numbered(list, name)
         };
-        let (models, queries) = (rows(NAMES)?, rows(QUERIES)?);
         let vectors = |name: &str, rows: &FxHashMap<String, usize>| {
             Vectors::of(npy::read(&bytes(name)?, &format!("{FOLDER}/{name}"))?, rows.len(), name)
         };
+        let is_pickled = !door.is_file(&folder.join(NAMES)) && door.is_file(&folder.join(PICKLES[0].0));
+        let (models, clip, sbert) = if is_pickled {
+            let read = |at: usize| pickled(&bytes(PICKLES[at].0)?, PICKLES[at]);
+            let ((models, clip), (others, sbert)) = (read(0)?, read(1)?);
+            if models != others {
+                let [clip, sbert] = PICKLES.map(|(name, _)| name);
+                return Err(broken(format!(
+                    "{FOLDER}/: {clip} and {sbert} are not about the same models, in one order"
+                )));
+            }
+            (models, clip, sbert)
+        } else {
+            let models = rows(NAMES)?;
+            let (clip, sbert) = (vectors(ARRAYS[0], &models)?, vectors(ARRAYS[1], &models)?);
+            (models, clip, sbert)
+        };
+        let queries = rows(QUERIES)?;
         let found = Self {
-            clip: vectors(ARRAYS[0], &models)?,
-            sbert: vectors(ARRAYS[1], &models)?,
+            clip,
+            sbert,
             clip_asked: vectors(ARRAYS[2], &queries)?,
             sbert_asked: vectors(ARRAYS[3], &queries)?,
             known: Known::new(0, 0, 0),
@@ -182,6 +198,28 @@ impl Features {
     }
 }
 
+/// The row of each text of a list.
+fn numbered(list: Vec<String>, name: &str) -> Result<FxHashMap<String, usize>, Fault> {
+    let count = list.len();
+    let rows: FxHashMap<String, usize> = list.into_iter().enumerate().map(|(i, text)| (text, i)).collect();
+    if rows.len() < count {
+        return Err(broken(format!("{FOLDER}/{name}: it contains the same text twice")));
+    }
+    Ok(rows)
+}
+
+/// The models of a file of Holodeck, and the vectors that are called `of` in it.
+fn pickled(bytes: &[u8], (name, of): (&str, &str)) -> Result<(FxHashMap<String, usize>, Vectors), Fault> {
+    let wrong = |why: String| broken(format!("{FOLDER}/{name}: {why}"));
+    let data = Pickle::read(bytes).map_err(wrong)?;
+    let member = |key: &str| data.get(data.root, key).ok_or_else(|| wrong(format!("it has no member `{key}`")));
+    let texts = data.texts(member("uids")?).ok_or_else(|| wrong("`uids` is not a list of texts".to_owned()))?;
+    let array = data.array(member(of)?).map_err(|why| wrong(format!("`{of}`: {why}")))?;
+    let rows = numbered(texts, name)?;
+    let vectors = Vectors::of(array, rows.len(), name)?;
+    Ok((rows, vectors))
+}
+
 /// A cosine brought to 0…1.
 fn similarity(cosine: f64) -> f64 {
     ((1.0 + cosine) / 2.0).clamp(0.0, 1.0)
@@ -201,11 +239,12 @@ impl Vectors {
             }
         };
         if shape[0] != rows {
-            let list = if name.ends_with("queries.npy") { QUERIES } else { NAMES };
-            return Err(broken(format!(
-                "{FOLDER}/{name}: it has {} rows, but {FOLDER}/{list} has {rows} texts",
-                shape[0]
-            )));
+            let list = match name {
+                _ if name.ends_with("queries.npy") => &format!("{FOLDER}/{QUERIES}"),
+                _ if name.ends_with(".pkl") => "its list `uids`",
+                _ => &format!("{FOLDER}/{NAMES}"),
+            };
+            return Err(broken(format!("{FOLDER}/{name}: it has {} rows, but {list} has {rows} texts", shape[0])));
         }
         if views > 1 && name.ends_with("queries.npy") {
             return Err(broken(format!("{FOLDER}/{name}: a query has one vector, not {views}")));

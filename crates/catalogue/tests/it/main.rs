@@ -3,6 +3,7 @@
 
 mod checking;
 mod generating;
+mod holodeck;
 mod hostile;
 mod importing;
 mod made;

@@ -79,7 +79,10 @@ type Outcome = Result<[f64; 3], (Why, String)>;
 
 /// What came of an order of a chair: the size, or why not; and what was asked for that.
 fn ordered(kind: ServiceKind, script: Script) -> (Outcome, Vec<String>) {
-    let (url, asked) = server(script);
+    let (mut url, asked) = server(script);
+    if kind == ServiceKind::Gradio {
+        url += "/generate";
+    }
     let kept = tempdir().unwrap();
     let service = Service::on(kind, &url, "test-key", Duration::from_secs(10), || false).unwrap();
     let generator = Generator::new(Box::new(service), bounds(kept.path(), 9));
@@ -123,6 +126,115 @@ fn a_task_is_looked_at_until_it_is_done() {
         _ => (404, Vec::new()),
     });
     assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
+}
+
+fn app() -> (u16, Vec<u8>) {
+    app_of("generate")
+}
+
+/// What an app says of its function `generate`, which has the inputs of one of three.
+fn app_of(function: &str) -> (u16, Vec<u8>) {
+    let input = |name: &str, kind: &str, default: Value| {
+        json!({ "parameter_name": name, "parameter_has_default": !default.is_null(), "parameter_default": default,
+                "type": { "type": kind } })
+    };
+    let inputs = match function {
+        "generate" => vec![
+            input("seed", "number", json!(7)),
+            input("prompt", "string", json!("")),
+            input("style", "string", json!("plain")),
+        ],
+        "draw" => vec![input("prompt", "string", Value::Null), input("image", "object", Value::Null)],
+        _ => Vec::new(),
+    };
+    let named = json!({ "/generate": { "parameters": inputs } });
+    json(200, &json!({ "named_endpoints": named }))
+}
+
+#[test]
+fn a_function_of_an_app_is_called() {
+    let (got, asked) = ordered(ServiceKind::Gradio, |line| match line {
+        "GET /gradio_api/info" => app(),
+        "POST /gradio_api/call/generate" => json(200, &json!({ "event_id": "e1" })),
+        "GET /gradio_api/call/generate/e1" => {
+            let result = r#"[null, {"value": {"path": "/tmp/a.GLB", "url": "{url}/gradio_api/file=/tmp/a.glb"}}]"#;
+            (200, format!("event: heartbeat\ndata: null\n\nevent: complete\ndata: {result}\n\n").into_bytes())
+        }
+        "GET /gradio_api/file=/tmp/a.glb" => (200, chair()),
+        _ => (404, Vec::new()),
+    });
+    assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
+    assert!(asked[1].ends_with(r#"{"data":[7,"red chair","plain"]}"#), "{asked:?}");
+    // Version 4 has its addresses at the root, and this one gives only the path of the file.
+    let (got, asked) = ordered(ServiceKind::Gradio, |line| match line {
+        "GET /info" => app(),
+        "POST /call/generate" => json(200, &json!({ "event_id": "e1" })),
+        "GET /call/generate/e1" => (200, b"event: complete\ndata: [{\"path\": \"/tmp/a.glb\"}]\n\n".to_vec()),
+        "GET /file=/tmp/a.glb" => (200, chair()),
+        _ => (404, Vec::new()),
+    });
+    assert_eq!(got, Ok([0.5, 0.9, 0.5]), "{asked:?}");
+}
+
+#[test]
+fn each_way_in_which_an_app_fails_is_told() {
+    let rows: [(Script, &str); 7] = [
+        (|_| (404, Vec::new()), "there is no Gradio app at this address"),
+        (
+            |line| match line {
+                "GET /gradio_api/info" => json(200, &json!({ "named_endpoints": { "/a": {}, "/b": {} } })),
+                _ => (404, Vec::new()),
+            },
+            "the app has no function `generate`; it has: a, b",
+        ),
+        (
+            |line| match line {
+                "GET /gradio_api/info" => app_of("look"),
+                _ => (404, Vec::new()),
+            },
+            "the function `generate` has no input for a text",
+        ),
+        (
+            |line| match line {
+                "GET /gradio_api/info" => app_of("draw"),
+                _ => (404, Vec::new()),
+            },
+            "the input `image` of the function `generate` has no default",
+        ),
+        (
+            |line| match line {
+                "GET /gradio_api/info" => app(),
+                "POST /gradio_api/call/generate" => json(200, &json!({ "event_id": "../../x" })),
+                _ => (404, Vec::new()),
+            },
+            "did not name a task",
+        ),
+        (
+            |line| match line {
+                "GET /gradio_api/info" => app(),
+                "POST /gradio_api/call/generate" => json(200, &json!({ "event_id": "e" })),
+                _ => (200, b"event: error\ndata: \"no memory\"\n\n".to_vec()),
+            },
+            "the app could not make it: \"no memory\"",
+        ),
+        (
+            |line| match line {
+                "GET /gradio_api/info" => app(),
+                "POST /gradio_api/call/generate" => json(200, &json!({ "event_id": "e" })),
+                _ => (200, b"event: complete\ndata: [{\"path\": \"/tmp/a.png\"}]\n\n".to_vec()),
+            },
+            "the app returned no GLB file",
+        ),
+    ];
+    for (script, said) in rows {
+        let (got, asked) = ordered(ServiceKind::Gradio, script);
+        let (why, message) = got.unwrap_err();
+        assert!(why == Why::Failed && message.contains(said), "{said}: {message} {asked:?}");
+    }
+    let at = |url: &str| Service::on(ServiceKind::Gradio, url, "", Duration::from_secs(1), || false).map(drop);
+    for url in ["http://127.0.0.1:7860", "http://127.0.0.1:7860/a b", "generate", ""] {
+        assert!(at(url).unwrap_err().starts_with("gradio needs the address of an app"), "{url}");
+    }
 }
 
 #[test]

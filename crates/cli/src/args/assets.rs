@@ -121,7 +121,7 @@ pub struct Furniture {
     /// A folder of your own models, which takes precedence over the furniture library; may be given several times
     #[arg(long, value_name = "FOLDER")]
     pub assets: Vec<PathBuf>,
-    /// The generator for models that are not found in any --assets folder: meshy, tripo, hunyuan, `hunyuan:URL`, `command:PROGRAM` or `none`
+    /// The generator for models that are not found in any --assets folder: meshy, tripo, hunyuan, `hunyuan:URL`, `gradio:URL/FUNCTION`, `command:PROGRAM` or `none`
     /// [default: the one in your own config.toml, or none]
     #[arg(long, value_name = "GENERATOR")]
     pub generator: Option<String>,

@@ -3,6 +3,7 @@
 use crate::checkers::{facts, judge, oracle};
 use crate::support::{python, root, scenelang, skip};
 use scenelang_lang::{Options, compile_file};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// What every room keeps to, whatever it is for.
@@ -107,4 +108,24 @@ fn nothing_is_left_out() {
         }
     }
     assert!(wrong.is_empty(), "\n{wrong}");
+}
+
+/// Layouts that `eval sceneeval` or another command wrote beside their programs: nothing overlaps and nothing moves.
+#[test]
+#[ignore = "minutes: SCENELANG_LAYOUTS is a folder of ID.scene and ID.layout.json"]
+fn layouts_of_a_folder_are_still() {
+    let folder = PathBuf::from(std::env::var_os("SCENELANG_LAYOUTS").expect("SCENELANG_LAYOUTS is a folder"));
+    let mut command = Command::new(python().expect("`./x test` sets up .venv"));
+    command.arg(oracle("physics.py"));
+    let mut scenes: Vec<PathBuf> = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    scenes.retain(|path| path.extension().is_some_and(|extension| extension == "scene"));
+    scenes.sort();
+    for scene in &scenes {
+        let program = compile_file("room", scene, Options::default()).program.unwrap();
+        let file = scene.with_extension("facts.json");
+        std::fs::write(&file, facts(&program).to_string()).unwrap();
+        command.arg(scene.with_extension("layout.json")).arg(file);
+    }
+    let wrong = judge("physics", &mut command);
+    assert!(wrong.is_none(), "{}", wrong.unwrap());
 }

@@ -6,6 +6,8 @@
 
 mod command;
 #[cfg(feature = "services")]
+mod gradio;
+#[cfg(feature = "services")]
 mod service;
 
 pub use command::Command;

@@ -1,9 +1,10 @@
 //! Services that make models: how each is asked, and where it has what it made.
 //!
-//! The shapes are those that the services document: a task that is looked at until it is done (Meshy, Tripo), or a request
-//! that answers with the file (the server of Hunyuan3D-2). What comes back is a stranger's file, and is judged as one.
+//! The shapes are those that the services document: a task that is looked at until it is done (Meshy, Tripo), a request
+//! that answers with the file (the server of Hunyuan3D-2), or a function of an app (Gradio). What comes back is a stranger's
+//! file, and is judged as one.
 
-use super::{Maker, Order, Watch};
+use super::{Maker, Order, Watch, gradio};
 use crate::limits;
 use scenelang_llm::{Error, Key, Web, plain};
 use serde_json::{Value, json};
@@ -24,14 +25,17 @@ pub enum ServiceKind {
     Tripo,
     /// `api_server.py` of Hunyuan3D-2, on a machine of your own.
     Hunyuan,
+    /// A function of an app of Gradio: the last part of the address.
+    Gradio,
 }
 
 impl ServiceKind {
     /// The names, each with the address that it has where no other is given, and the variable that holds its key.
-    pub const ALL: [(&'static str, Self, &'static str, &'static str); 3] = [
+    pub const ALL: [(&'static str, Self, &'static str, &'static str); 4] = [
         ("meshy", Self::Meshy, "https://api.meshy.ai", "MESHY_API_KEY"),
         ("tripo", Self::Tripo, "https://api.tripo3d.ai", "TRIPO_API_KEY"),
         ("hunyuan", Self::Hunyuan, "http://127.0.0.1:8080", ""),
+        ("gradio", Self::Gradio, "http://127.0.0.1:7860", ""),
     ];
 
     fn row(self) -> (&'static str, Self, &'static str, &'static str) {
@@ -44,6 +48,8 @@ impl ServiceKind {
 pub struct Service {
     kind: ServiceKind,
     base: String,
+    /// The function of an app of Gradio.
+    function: String,
     web: Web,
 }
 
@@ -68,8 +74,12 @@ impl Service {
         if !variable.is_empty() && key.is_none() {
             return Err(format!("{name} needs a key: set {variable}"));
         }
+        let (base, function) = match kind {
+            ServiceKind::Gradio => split(base)?,
+            _ => (base, ""),
+        };
         let web = Web::new(base, key, timeout, limits::BYTES as u64, stop).map_err(|e| e.to_string())?;
-        Ok(Self { kind, base: base.to_owned(), web })
+        Ok(Self { kind, base: base.to_owned(), function: function.to_owned(), web })
     }
 
     /// A task, looked at until it is done: where its file is. `look`: from what is said of a task to its state.
@@ -101,7 +111,7 @@ impl Maker for Service {
     }
 
     fn identity(&self) -> String {
-        format!("{}\0{}", self.kind.row().0, self.base)
+        format!("{}\0{}\0{}", self.kind.row().0, self.base, self.function)
     }
 
     fn make(&self, order: &Order, watch: &Watch) -> Result<Vec<u8>, String> {
@@ -111,6 +121,7 @@ impl Maker for Service {
                 let body = json!({ "text": prompt, "texture": false, "type": "glb", "seed": 1234 });
                 self.web.post("/generate", body).map_err(told)
             }
+            ServiceKind::Gradio => gradio::make(&self.web, &self.base, &self.function, &prompt, watch),
             ServiceKind::Meshy => {
                 let path = "/openapi/v2/text-to-3d";
                 let body = json!({ "mode": "preview", "prompt": prompt, "should_remesh": true });
@@ -127,6 +138,20 @@ impl Maker for Service {
             }
         }
     }
+}
+
+/// The address of an app of Gradio, and its function.
+fn split(url: &str) -> Result<(&str, &str), String> {
+    let (base, function) = url.trim_end_matches('/').rsplit_once('/').unwrap_or_default();
+    let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
+    if base.ends_with('/') || base.is_empty() || function.is_empty() || !function.chars().all(is_name) {
+        return Err(
+            "gradio needs the address of an app with one of its functions: `gradio:URL/FUNCTION`, for example \
+                    gradio:http://127.0.0.1:7860/generate"
+                .to_owned(),
+        );
+    }
+    Ok((base, function))
 }
 
 fn meshy(said: &Value) -> State {
@@ -159,19 +184,19 @@ fn why(said: &Value, status: Option<&str>) -> String {
 }
 
 /// The name of a task, which becomes part of an address.
-fn id(said: &Value) -> Result<&str, String> {
+pub(super) fn id(said: &Value) -> Result<&str, String> {
     let fits = |text: &&str| {
         !text.is_empty() && text.len() <= 100 && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
     };
     said.as_str().filter(fits).ok_or_else(|| "the service did not name a task".to_owned())
 }
 
-fn json_of(bytes: &[u8]) -> Result<Value, String> {
+pub(super) fn json_of(bytes: &[u8]) -> Result<Value, String> {
     serde_json::from_slice(bytes).map_err(|_| "the service answered with something that is not JSON".to_owned())
 }
 
 /// An error in the words of a service.
-fn told(error: Error) -> String {
+pub(super) fn told(error: Error) -> String {
     match error {
         Error::Unreachable(why) => format!("the service cannot be reached: {why}"),
         Error::TimedOut(after) => format!("the service did not answer completely within {} s", after.as_secs_f64()),
