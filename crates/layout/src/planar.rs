@@ -116,12 +116,25 @@ pub fn depth_in_convex(polygon: &[Vec2], p: Vec2) -> f64 {
 
 /// The overlap of two convex polygons, again convex; touching ones give a point or a segment (within 1e-9 m).
 pub fn convex_overlap(a: &[Vec2], b: &[Vec2]) -> Vec<Vec2> {
+    if are_apart(a, b) {
+        return Vec::new();
+    }
     let mut points: Vec<Vec2> = a.iter().copied().filter(|&p| depth_in_convex(b, p) >= -SAME).collect();
     points.extend(b.iter().copied().filter(|&p| depth_in_convex(a, p) >= -SAME));
     for (p, q) in edges(a) {
         points.extend(edges(b).filter_map(|(r, s)| crossing([p, q], [r, s])));
     }
     convex_hull(points)
+}
+
+/// Whether the upright rectangles around two sets of points do not touch.
+fn are_apart(a: &[Vec2], b: &[Vec2]) -> bool {
+    let around = |points: &[Vec2]| {
+        let none = (Vec2::repeat(f64::INFINITY), Vec2::repeat(f64::NEG_INFINITY));
+        points.iter().fold(none, |(lo, hi), p| (lo.inf(p), hi.sup(p)))
+    };
+    let ((a_lo, a_hi), (b_lo, b_hi)) = (around(a), around(b));
+    (a_lo - b_hi).sup(&(b_lo - a_hi)).max() > 2.0 * SAME
 }
 
 /// Where two segments cross, if they are not parallel.

@@ -282,12 +282,7 @@ fn obstacles<'w, N: Number>(
         .into_iter()
         .map(|(other, body, distance)| Obstacle { met: Met::Object(other), solid: body.solid().into(), distance })
         .collect();
-    for (region, wall) in walls(world, id, moving, amount, &around) {
-        let distance = around.distance(wall.aabb());
-        if distance <= reach {
-            found.push(Obstacle { met: Met::Wall(region), distance, solid: vec![wall].into() });
-        }
-    }
+    found.extend(walls(world, id, moving, amount, &around, reach));
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     found
 }
@@ -355,14 +350,16 @@ fn carried<N: Number>(world: &World<N>, owner: ObjectId, moving: &Moving) -> Vec
     }
 }
 
-/// The walls of the room that a part opens into, as thin upright bodies; in them a door has its own opening.
-fn walls<N: Number>(
-    world: &World<N>,
+/// The walls of the room that a part opens into and whose box is no further than `reach` from that of the motion (metres), as
+/// thin upright bodies; in them a door has its own opening.
+fn walls<'w, N: Number>(
+    world: &'w World<N>,
     id: ObjectId,
     moving: &Moving,
     amount: f64,
     around: &Aabb,
-) -> Vec<(RegionId, Convex)> {
+    reach: f64,
+) -> Vec<Obstacle<'w>> {
     let Ok(thing) = world.object(id) else { return Vec::new() };
     let own = &thing.body.obb;
     let middle = |bodies: &[Convex]| {
@@ -370,9 +367,9 @@ fn walls<N: Number>(
         (whole.min + whole.max) / 2.0
     };
     let is_door = world.habits.is_door(id);
-    let way = (middle(&moving.opened(amount)) - middle(moving.bodies())).dot(&own.axes.column(2));
+    let way = || (middle(&moving.opened(amount)) - middle(moving.bodies())).dot(&own.axes.column(2));
     let side = match is_door {
-        true if way < 0.0 => ObjectSide::Behind,
+        true if way() < 0.0 => ObjectSide::Behind,
         true => ObjectSide::Front,
         false => ObjectSide::Above,
     };
@@ -386,11 +383,28 @@ fn walls<N: Number>(
     let corners = prism.polygon.corners();
     let mut found = Vec::new();
     for (i, from) in corners.iter().enumerate() {
-        for [a, b] in left_of([*from, corners[(i + 1) % corners.len()]], own, gap) {
-            found.extend(upright([a, b], around).map(|wall| (region, wall)));
+        for piece in left_of([*from, corners[(i + 1) % corners.len()]], own, gap) {
+            if !is_near(piece, around, reach) {
+                continue;
+            }
+            let Some(wall) = upright(piece, around) else { continue };
+            let distance = around.distance(wall.aabb());
+            if distance <= reach {
+                found.push(Obstacle { met: Met::Wall(region), distance, solid: vec![wall].into() });
+            }
         }
     }
     found
+}
+
+/// Whether a piece of outline may be as near to a box as `reach`, seen from above. Most walls of a room are not, and it costs more to
+/// make a body of one.
+fn is_near([a, b]: [Vec2; 2], around: &Aabb, reach: f64) -> bool {
+    let apart = |axis: usize, at: usize| {
+        let (lo, hi) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
+        (lo - around.max[at]).max(around.min[at] - hi)
+    };
+    apart(0, 0).max(apart(1, 2)) <= reach + 1e-6
 }
 
 /// What is left of a piece of wall beside an opening of these half extents, along the width and depth of a door.

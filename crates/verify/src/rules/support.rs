@@ -8,6 +8,7 @@ use crate::world::{Body, World};
 use scenelang_lang::program::ObjectId;
 use scenelang_layout::planar::{convex_hull, convex_overlap, depth_in_convex};
 use scenelang_layout::{Convex, Face, Vec2, Vec3};
+use std::cell::OnceCell;
 
 /// How an object rests, measured on plain floats.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,8 +75,8 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
     let body = &world.object(id)?.body;
     let lowest = body.lowest();
     let center = Vec2::new(body.obb.center.x, body.obb.center.z);
-    let base: Vec<Vec<Vec2>> =
-        body.solid().iter().filter_map(|part| slice(part, lowest + tolerances.support)).collect();
+    let slices = || body.solid().iter().filter_map(|part| slice(part, lowest + tolerances.support));
+    let base: OnceCell<Vec<Vec<Vec2>>> = OnceCell::new();
     let mut found = Rest { lowest, nearest: f64::NAN, carrier: None, off: None };
     let mut contacts: Vec<Vec2> = Vec::new();
     let mut nearest = f64::NAN;
@@ -88,7 +89,7 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
     for height in floors(world, center) {
         consider(height, None, &mut nearest);
         if (lowest - height).abs() <= tolerances.support + tolerances.order {
-            contacts.extend(base.iter().flatten());
+            contacts.extend(slices().flatten());
         }
     }
     let tops = others.iter().filter_map(|&other| Some((other, &world.object(other).ok()?.body)));
@@ -99,8 +100,9 @@ pub fn rest<N: Number>(world: &World<N>, id: ObjectId, others: &[ObjectId]) -> R
             if far > tolerances.support + tolerances.order + 1e-9 && far >= (lowest - nearest).abs() {
                 continue;
             }
-            for own in &base {
-                for point in convex_overlap(own, &outline(part, face)) {
+            let top = outline(part, face);
+            for own in base.get_or_init(|| slices().map(convex_hull).collect()) {
+                for point in convex_overlap(own, &top) {
                     let height = height_at(part, face, point);
                     consider(height, Some(other), &mut nearest);
                     if (lowest - height).abs() <= tolerances.support + tolerances.order {
@@ -130,7 +132,7 @@ fn below(body: &Body, carrier: &Body) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.z <= b.max.z && b.min.z <= a.max.z
 }
 
-/// What of a convex part is no higher than `height`, seen from above.
+/// What of a convex part is no higher than `height`, seen from above: points whose hull it is.
 fn slice(part: &Convex, height: f64) -> Option<Vec<Vec2>> {
     if part.aabb().min.y > height {
         return None;
@@ -140,7 +142,7 @@ fn slice(part: &Convex, height: f64) -> Option<Vec<Vec2>> {
         let t = (height - a.y) / (b.y - a.y);
         (t > 0.0 && t < 1.0).then(|| a + (b - a) * t)
     });
-    Some(convex_hull(corners.chain(cut).map(|p| Vec2::new(p.x, p.z))))
+    Some(corners.chain(cut).map(|p| Vec2::new(p.x, p.z)).collect())
 }
 
 /// Faces of a solid that point up, to within some degrees.
