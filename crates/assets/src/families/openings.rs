@@ -129,7 +129,8 @@ pub(super) fn window(a: &Ask) -> BuiltModel {
     for (i, column) in inner.split(0, columns, 0.004).enumerate() {
         for pane in column.split(1, rows, 0.004) {
             if !fixed {
-                m.casement(pane, if i % 2 == 1 { Hung::Right } else { Hung::Left });
+                // No two casements hang on one mullion: open, they would be in each other.
+                m.casement(pane, if 2 * i >= columns { Hung::Right } else { Hung::Left });
             }
             let bar = 0.045_f64.min(0.12 * pane.size().x).min(0.12 * pane.size().y);
             frame(&mut m, pane, bar, bar, bar, &main);
