@@ -33,8 +33,10 @@ pub fn paint(draft: &mut Draft, brief: &Brief) {
         let usual = kinds::of(&room.kind);
         let light = asked.palette.iter().find(|color| LIGHT.contains(&color.as_str()));
         let said = asked.walls != Look::default();
-        if let Some(light) = light.filter(|_| !said) {
-            room.walls.color = Some(light.clone());
+        // One colour alone is that of the walls.
+        let walls = light.or_else(|| asked.palette.first().filter(|_| asked.palette.len() == 1));
+        if let Some(color) = walls.filter(|_| !said) {
+            room.walls.color = Some(color.clone());
         }
         // What stands before the walls is of another colour, if there is one.
         let others: Vec<&String> = asked.palette.iter().filter(|color| Some(*color) != light).collect();

@@ -1,6 +1,7 @@
 //! Desks of which a request says how many by whom they are for: "desks in groups of four" of an office for twelve, desks "for two
 //! children each", and the desk of the one who writes: "my own desk" in a classroom is the teacher's.
 
+use super::lexicon::{Class, get};
 use super::number::count;
 use super::paraphrase::{put, word};
 use super::token::{Token, WordKind};
@@ -10,7 +11,7 @@ const GROUPS: [&str; 8] = ["groups", "islands", "pods", "clusters", "blocks", "b
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    in_pairs(tokens, i) || in_groups(tokens, i) || shared(tokens, i) || own(tokens, i)
+    in_pairs(tokens, i) || in_groups(tokens, i) || shared(tokens, i) || own(tokens, i) || one_each(tokens, i)
 }
 
 fn whole(tokens: &[Token], i: usize) -> Option<usize> {
@@ -46,6 +47,44 @@ fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
         tokens.insert(i, number);
     }
     fits
+}
+
+/// "Cots for six babies": six cots. Of desks and chairs the furniture of the room decides, as pupils may share a desk.
+fn one_each(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const ONES: [&str; 12] = [
+        "cots",
+        "cribs",
+        "beds",
+        "lockers",
+        "mats",
+        "easels",
+        "sewing-machines",
+        "high-chairs",
+        "highchairs",
+        "hooks",
+        "pegs",
+        "recliners",
+    ];
+    let counted = tokens[..i]
+        .iter()
+        .rev()
+        .take(4)
+        .take_while(|t| t.word())
+        .any(|t| t.is("each") || t.is("every") || count(std::slice::from_ref(t)).is_some());
+    let said = ONES.contains(&word(tokens, i)) && word(tokens, i + 1) == "for" && !counted;
+    let Some(n) = whole(tokens, i + 2).filter(|n| said && *n > 1) else { return false };
+    let who = word(tokens, i + 3);
+    let person = get().is(who, Class::Person);
+    let ends = tokens.get(i + 3).is_none_or(|t| !t.word())
+        || matches!(who, "and" | "with" | "in" | "at" | "along" | "against" | "by" | "on");
+    if !person && !ends {
+        return false;
+    }
+    let what = word(tokens, i).to_owned();
+    let text = n.to_string();
+    put(tokens, i, i + 3 + usize::from(person), &[&text, &what]);
+    tokens[i].kind = WordKind::Number(n as f64);
+    true
 }
 
 /// "For 24 kids sitting in pairs": they have double desks.
@@ -117,6 +156,10 @@ mod tests {
             ),
             ("a classroom for 24 kids sitting in pairs.", "a classroom for 24 kids with double desks ."),
             ("twelve desks for two pupils each.", "twelve double desks ."),
+            ("cots for 6 babies along the wall", "6 cots along the wall"),
+            ("two beds for four people", "two beds for four people"),
+            ("beds for four", "4 beds"),
+            ("beds for", "beds for"),
             ("a classroom. my own desk is at the front.", "a classroom . the teacher desk is at the front ."),
             ("a study. my desk is at the window.", "a study . my desk is at the window ."),
         ] {

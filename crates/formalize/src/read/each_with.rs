@@ -1,10 +1,11 @@
 //! Where the list of what each has ends: in "four stations, each with a mirror and a chair, two basins and a sofa" each station
 //! has a mirror and a chair, and the room has the rest.
 
-use super::lexicon::{get, plural};
+use super::lexicon::{get, plural, singular};
 use super::paraphrase::word;
 use super::shares::noun;
 use super::token::{Token, WordKind};
+use crate::brief::Group;
 use crate::read::quantified::number;
 
 /// Turns what begins at a token; whether it did.
@@ -17,7 +18,12 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         super::paraphrase::put(tokens, name.end, name.end + 1, &["has"]);
         return true;
     }
-    if after_each(tokens, i) || both_for_each(tokens, i) || on_each(tokens, i) || with_at_walls(tokens, i) {
+    if after_each(tokens, i)
+        || both_for_each(tokens, i)
+        || on_each(tokens, i)
+        || with_at_walls(tokens, i)
+        || with_several(tokens, i)
+    {
         return true;
     }
     if word(tokens, i) != "each" || !matches!(word(tokens, i + 1), "with" | "has" | "have" | "having") {
@@ -34,9 +40,18 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "Two tables with six chairs each and a shelf": the shelf is there once.
 fn after_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     let before = (i.saturating_sub(4)..i).any(|k| noun(tokens, k).is_some_and(|noun| noun.end == i));
-    let said = before && word(tokens, i) == "each" && word(tokens, i + 1) == "and" && item(tokens, i + 2);
-    if !said || !(1..=6).any(|n| i.checked_sub(n).is_some_and(|k| tokens[k].is("with"))) {
+    let comma = tokens.get(i + 1).is_some_and(|t| t.is(","));
+    let and = usize::from(word(tokens, i + 1 + usize::from(comma)) == "and");
+    let said = before && word(tokens, i) == "each" && (comma || and == 1);
+    if !said
+        || !item(tokens, i + 1 + usize::from(comma) + and)
+        || !(1..=6).any(|n| i.checked_sub(n).is_some_and(|k| tokens[k].is("with")))
+    {
         return false;
+    }
+    if comma {
+        goes_on(tokens, i + 1, and);
+        return true;
     }
     let own = tokens[i + 1].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
@@ -56,6 +71,38 @@ fn on_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     goes_on(tokens, i + 2, and);
     true
+}
+
+/// "Three plinths with sculptures, one bench and a desk": the bench and the desk are there once. What stands on each may be listed
+/// with it: "six desks with monitors, a lamp and a chair".
+fn with_several(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let host = i > 0 && word(tokens, i) == "with" && plural(word(tokens, i - 1));
+    let several = (i.saturating_sub(5)..i).any(|k| number(tokens, k).is_some_and(|n| n > 1));
+    let Some(own) = noun(tokens, i + 1).filter(|own| host && several && plural(word(tokens, own.end - 1))) else {
+        return false;
+    };
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | '!' | '?' | ','));
+    let Some(comma) = tokens[own.end..].iter().position(stops).map(|n| own.end + n).filter(|k| tokens[*k].is(","))
+    else {
+        return false;
+    };
+    let and = usize::from(matches!(word(tokens, comma + 1), "and" | "plus"));
+    let joined = tokens[own.end..comma].iter().any(|t| t.is("and") || t.is("each") || t.is("with"));
+    let next = comma + 1 + and;
+    let stands =
+        (1..=3).find_map(|n| noun(tokens, next + n)).is_some_and(|noun| is_furniture(word(tokens, noun.end - 1)));
+    if joined || !item(tokens, next) || !stands {
+        return false;
+    }
+    goes_on(tokens, comma, and);
+    true
+}
+
+/// Whether a thing stands on the floor by itself, and is no seat that belongs to what was named before.
+fn is_furniture(name: &str) -> bool {
+    let name = singular(name);
+    let seat = ["chair", "stool", "seat"].iter().any(|seat| name.ends_with(seat));
+    matches!(get().noun(&name), Some(Group::Seat | Group::Table | Group::Storage | Group::Bed)) && !seat
 }
 
 /// "Eight workbenches with vices along the two long walls, a rack": the benches stand there, and the rack is there once.
@@ -175,6 +222,16 @@ mod tests {
                 "eight workbenches along the two long walls with vices . there is a rack and a stool",
             ),
             ("two desks, each with a lamp and a chair", "two desks , each with a lamp and a chair"),
+            (
+                "five tables with two chairs each, a bench by the window and a plant.",
+                "five tables with two chairs each . there is a bench by the window and a plant .",
+            ),
+            (
+                "three plinths with sculptures in a row, one long bench and a desk",
+                "three plinths with sculptures in a row . there are one long bench and a desk",
+            ),
+            ("six desks with monitors, a lamp and a chair", "six desks with monitors , a lamp and a chair"),
+            ("six desks with monitors and chairs, a sofa", "six desks with monitors and chairs , a sofa"),
             (
                 "two desks, each with a lamp and a chair, facing the wall",
                 "two desks , each with a lamp and a chair , facing the wall",

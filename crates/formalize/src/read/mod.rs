@@ -35,6 +35,7 @@ mod measure;
 mod named;
 mod noun;
 mod number;
+mod numbered;
 mod open_plan;
 mod opening;
 mod owner;
@@ -124,6 +125,7 @@ const MOST_WORDS: usize = 12_000;
 pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
+    let places = numbered::plain(&mut tokens);
     finishes::plain(&mut tokens);
     talk::asking(&mut tokens);
     buildings::plain(&mut tokens);
@@ -133,6 +135,7 @@ pub fn brief(request: &str) -> Brief {
     owner::places(&mut tokens);
     owner::rooms(&mut tokens);
     paraphrase::plain(&mut tokens);
+    let colors = palette::lift(&mut tokens);
     open_plan::plain(&mut tokens);
     zones::plain(&mut tokens);
     let mut brief = Brief { rooms: vec![Room { name: "room".into(), ..Room::default() }], ..Brief::default() };
@@ -157,8 +160,9 @@ pub fn brief(request: &str) -> Brief {
             brief.remove(&reader.gone);
         }
         used[people::count(&mut brief.rooms, &tokens)].fill(true);
-        let said = palette::say(&mut brief.rooms, &tokens, &used);
-        used[said].fill(true);
+        if let Some(colors) = colors {
+            palette::say(&mut brief.rooms, colors);
+        }
         for said in homes::children(&tokens) {
             used[said] = true;
         }
@@ -187,6 +191,7 @@ pub fn brief(request: &str) -> Brief {
         notes.push(Note { at: end..request.len(), reason: "the request is longer than the part that is read".into() });
     }
     notes.extend(answers);
+    notes.extend(places.into_iter().map(|(at, reason)| Note { at, reason }));
     notes.extend(counts::odd(&tokens).into_iter().map(|(at, reason)| Note { at, reason }));
     brief.notes.splice(0..0, notes);
     brief.request = request.to_owned();

@@ -2,9 +2,10 @@
 
 use super::lexicon::{LookWord, get};
 use super::paraphrase::{put, word};
-use super::token::Token;
+use super::token::{Token, WordKind};
 use crate::brief::Room;
 use crate::colors::known;
+use crate::furnish::kinds;
 use std::ops::Range;
 
 /// Words for colours in general.
@@ -21,21 +22,52 @@ const MOODS: [(&str, &[&str]); 9] = [
     ("bright", &["yellow", "coral", "skyblue"]),
     ("cheerful", &["yellow", "coral", "skyblue"]),
 ];
+/// What makes another colour of one.
+const SHADES: [&str; 6] = ["dark", "light", "deep", "pale", "bright", "pastel"];
+/// The most words of a room's name.
+const LONGEST: usize = 4;
 /// Words that say nothing more of a colour.
 const SAID: [&str; 4] = ["soft", "muted", "light", "calm"];
 
-/// Writes them into the room that is spoken of there, if the words were not read otherwise. The tokens that say so.
-pub fn say(rooms: &mut [Room], tokens: &[Token], used: &[bool]) -> Range<usize> {
-    let Some((colors, said)) = (0..tokens.len()).find_map(|at| palette(tokens, at)) else { return 0..0 };
-    if used[said.clone()].iter().any(|used| *used) {
-        return 0..0;
+/// Colours that are said of a room, and where.
+pub type Palette = (Range<usize>, Vec<String>);
+
+/// Takes what is said of the colours of a room out of a request: after its name, or as a part of a list of its own. What stands
+/// after a thing is said of the thing.
+pub fn lift(tokens: &mut Vec<Token>) -> Option<Palette> {
+    let (colors, said) = (0..tokens.len()).find_map(|at| {
+        let (colors, said) = palette(tokens, at)?;
+        is_of_room(tokens, said.start).then_some((colors, said))
+    })?;
+    let at = tokens[said.start].at.start..tokens[said.end - 1].at.end;
+    let mut end = said.end;
+    if said.start > 0 && tokens[said.start - 1].is(",") {
+        end += usize::from(tokens.get(end).is_some_and(|t| t.is(",")));
     }
-    let at = tokens[said.start].at.start;
-    let room = rooms.iter().rposition(|room| room.source.at().start <= at).unwrap_or(0);
+    tokens.drain(said.start..end);
+    Some((at, colors))
+}
+
+/// Whether what begins at a token is said of a room: its name is before it, or a list goes on there.
+fn is_of_room(tokens: &[Token], start: usize) -> bool {
+    start == 0 || matches!(tokens[start - 1].kind, WordKind::Line | WordKind::Sign(_)) || ends_room(tokens, start)
+}
+
+/// Whether the name of a room ends before a token.
+fn ends_room(tokens: &[Token], end: usize) -> bool {
+    let words: Vec<String> =
+        tokens[..end].iter().rev().take(LONGEST).take_while(|t| t.word()).map(|t| t.text.clone()).collect();
+    let words: Vec<String> = words.into_iter().rev().collect();
+    get().room_ending(&words).is_some()
+        || (1..=words.len()).any(|n| kinds::named(&words[words.len() - n..].join(" ")).is_some())
+}
+
+/// Writes the colours into the room that is spoken of where they are said.
+pub fn say(rooms: &mut [Room], (at, colors): Palette) {
+    let room = rooms.iter().rposition(|room| room.source.at().start <= at.start).unwrap_or(0);
     if let Some(room) = rooms.get_mut(room) {
         room.palette = colors;
     }
-    said
 }
 
 /// The colours that the word at an index stands for, and all words that say so.
@@ -43,35 +75,76 @@ fn palette(tokens: &[Token], at: usize) -> Option<(Vec<String>, Range<usize>)> {
     if !COLORS.contains(&word(tokens, at)) {
         return None;
     }
-    let is_color = |k: usize| get().look(word(tokens, k)) == Some(LookWord::Color) && known(word(tokens, k)).is_some();
-    let joins = |k: usize| tokens[k].is("and") || tokens[k].is(",");
     // "Shades of blue and green".
-    if word(tokens, at + 1) == "of" && is_color(at + 2) {
-        let mut end = at + 3;
-        while end + 1 < tokens.len() && joins(end) && is_color(end + 1) {
-            end += 2;
-        }
-        let colors = (at + 2..end).filter(|k| is_color(*k)).filter_map(|k| known(word(tokens, k))).collect();
+    if word(tokens, at + 1) == "of"
+        && let Some((colors, end)) = colors(tokens, at + 2)
+    {
         return Some((colors, with_in(tokens, at)..end));
     }
     let last = at - usize::from(at > 0 && matches!(word(tokens, at - 1), "colour" | "color"));
     let mood = |k: usize| MOODS.iter().find(|(mood, _)| *mood == word(tokens, k)).map(|(_, colors)| *colors);
-    let mut start = last;
-    while start > 0 && (is_color(start - 1) || start < last && start > 1 && joins(start - 1) && is_color(start - 2)) {
-        start -= 1;
-    }
-    let mut colors: Vec<String> = (start..last).filter_map(|k| known(word(tokens, k))).collect();
+    let named = (last.saturating_sub(8)..last)
+        .find_map(|k| colors(tokens, k).filter(|(_, end)| *end == last).map(|(all, _)| (k, all)));
+    let (mut start, mut found) = named.unwrap_or((last, Vec::new()));
     while start > 0 && (mood(start - 1).is_some() || SAID.contains(&word(tokens, start - 1))) {
         start -= 1;
-        if let (true, Some(mood)) = (colors.is_empty(), mood(start)) {
-            colors = mood.iter().map(|color| (*color).to_owned()).collect();
+        if let (true, Some(mood)) = (found.is_empty(), mood(start)) {
+            found = mood.iter().map(|color| (*color).to_owned()).collect();
         }
     }
-    (!colors.is_empty()).then(|| (colors, with_in(tokens, start)..at + 1))
+    (!found.is_empty()).then(|| (found, with_in(tokens, start)..at + 1))
+}
+
+/// The colours that are listed from a token on, and where the list ends: "pink, dark green and white".
+fn colors(tokens: &[Token], from: usize) -> Option<(Vec<String>, usize)> {
+    let one = |k: usize| -> Option<(String, usize)> {
+        let is_color = |k: usize| get().look(word(tokens, k)) == Some(LookWord::Color);
+        let pair = format!("{}{}", word(tokens, k), word(tokens, k + 1));
+        if SHADES.contains(&word(tokens, k)) && is_color(k + 1) {
+            return Some((known(&pair).or_else(|| known(word(tokens, k + 1)))?, k + 2));
+        }
+        is_color(k).then(|| known(word(tokens, k)))?.map(|color| (color, k + 1))
+    };
+    let (first, mut end) = one(from)?;
+    let mut all = vec![first];
+    loop {
+        let comma = usize::from(tokens.get(end).is_some_and(|t| t.is(",")));
+        let and = usize::from(word(tokens, end + comma) == "and");
+        let Some((next, to)) = one(end + comma + and).filter(|_| comma + and > 0) else { return Some((all, end)) };
+        all.push(next);
+        end = to;
+    }
+}
+
+/// "A salon, pink and white, with a desk", "a hotel room, dark green": in pink and white tones.
+fn listed(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let comma = tokens[i].is(",");
+    if i == 0 || !(comma || word(tokens, i) == "in") {
+        return false;
+    }
+    let Some((all, end)) = colors(tokens, i + 1) else { return false };
+    let of_room = ends_room(tokens, i);
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | '!'));
+    let sentence = tokens[..i].iter().rposition(stops).map_or(0, |k| k + 1);
+    let in_list = comma && all.len() > 1 && tokens[sentence..i].iter().any(|t| t.is(","));
+    let ends = tokens.get(end).is_none_or(|t| matches!(t.kind, WordKind::Line | WordKind::Sign(_)));
+    if !ends && !(of_room && word(tokens, end) == "with") || !(of_room || in_list) {
+        return false;
+    }
+    let tones: Token = Token { text: "tones".to_owned(), ..tokens[end - 1].clone() };
+    tokens.insert(end, tones);
+    if comma {
+        let in_them = Token { kind: WordKind::Word, text: "in".to_owned(), ..tokens[i].clone() };
+        tokens.insert(i + 1, in_them);
+    }
+    true
 }
 
 /// "In soft greens and blues": in green and blue tones.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if listed(tokens, i) {
+        return true;
+    }
     let said = |k: usize| SAID.contains(&word(tokens, k)) || MOODS.iter().any(|(mood, _)| *mood == word(tokens, k));
     let color = |k: usize| {
         let one = word(tokens, k).strip_suffix('s')?;
@@ -105,6 +178,15 @@ mod tests {
             ("a study in blues and grays.", "a study in blue and gray tones ."),
             ("a kitchen with greens on the table", "a kitchen with greens on the table"),
             ("a hall with glasses", "a hall with glasses"),
+            ("a hotel room, dark green.", "a hotel room , in dark green tones ."),
+            ("a salon in pink and white, a desk", "a salon in pink and white tones , a desk"),
+            (
+                "a salon, four tables, pink and white, a desk",
+                "a salon , four tables , in pink and white tones , a desk",
+            ),
+            ("a sofa, dark green", "a sofa , dark green"),
+            ("two chairs, red and blue", "two chairs , red and blue"),
+            ("a salon, in", "a salon , in"),
         ] {
             assert_eq!(crate::read::paraphrase::plainly(said), becomes);
         }
@@ -117,6 +199,7 @@ mod tests {
             ("a bedroom in pastel tones", Some(("mint peach lavender", "in pastel tones"))),
             ("a study in shades of blue and gray.", Some(("blue gray", "in shades of blue and gray"))),
             ("a nursery in a soft yellow colour scheme", Some(("yellow", "in a soft yellow colour scheme"))),
+            ("a den in dark green and gold tones", Some(("darkgreen gold", "in dark green and gold tones"))),
             ("chairs in different colours", None),
             ("three coloured boxes", None),
         ] {

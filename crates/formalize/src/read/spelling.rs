@@ -11,7 +11,8 @@ use scenelang_lang::nouns::plural;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 12] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 13] = [
+        hyphened,
         covering,
         on_both,
         joined,
@@ -26,6 +27,20 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         circle_of,
     ];
     turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "A walk in shower", "an L shaped sofa": walk-in, L-shaped.
+fn hyphened(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WALK_IN: [&str; 7] = ["shower", "closet", "wardrobe", "fridge", "freezer", "pantry", "cupboard"];
+    match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
+        ["walk", "in", thing] if WALK_IN.contains(&thing) => put(tokens, i, i + 2, &["walk-in"]),
+        [letter @ ("l" | "u" | "c" | "t"), "shape" | "shaped", _] => {
+            let shape = format!("{letter}-shaped");
+            put(tokens, i, i + 2, &[&shape]);
+        }
+        _ => return false,
+    }
+    true
 }
 
 /// "Bookshelves covering two walls": along two walls.
@@ -294,6 +309,8 @@ mod tests {
     fn other_spellings_become_usual_ones() {
         for (text, becomes) in [
             ("a night stand and two arm chairs", "a nightstand and two armchairs"),
+            ("walk in shower, grey L shaped sofa", "walk-in shower , grey l-shaped sofa"),
+            ("walk in", "walk in"),
             ("bookshelves covering two walls and a table", "bookshelves along two walls and a table"),
             (
                 "three paintings on each long wall.",

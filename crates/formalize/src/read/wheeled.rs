@@ -12,7 +12,7 @@ const THROUGH: [&str; 7] = ["through", "past", "around", "everywhere", "in", "by
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if room_for(tokens, i) || to_get_through(tokens, i) {
+    if room_for(tokens, i) || to_get_through(tokens, i) || as_wide(tokens, i) {
         return true;
     }
     let starts = i == 0
@@ -44,6 +44,33 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     if i > 0 && tokens[i - 1].is("so") {
         tokens[i - 1].text = ".".to_owned();
         tokens[i - 1].kind = WordKind::Sign('.');
+    }
+    true
+}
+
+/// "The robot base is 60 cm wide so keep the floor free": paths as wide as what moves there, which is no thing of the room.
+fn as_wide(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let robot = usize::from(word(tokens, i + 1) == "mobile");
+    let base = usize::from(matches!(word(tokens, i + robot + 2), "base" | "platform"));
+    let is = i + robot + 2 + base;
+    let moves = matches!(word(tokens, i + robot + 1), "robot" | "robots") || WHEELED.contains(&word(tokens, i + 1));
+    let measure = tokens.get(is + 1).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let unit = word(tokens, is + 2).to_owned();
+    let said = matches!(word(tokens, i), "the" | "our" | "my") && moves && word(tokens, is) == "is" && measure;
+    let who = word(tokens, i + robot + 1);
+    let placed = tokens[..i.min(tokens.len())]
+        .windows(2)
+        .any(|pair| matches!(pair[0].text.as_str(), "a" | "one" | "mobile") && pair[1].text == who);
+    if !said || word(tokens, is + 3) != "wide" || placed {
+        return false;
+    }
+    let number = tokens[is + 1].clone();
+    let end = is + 4;
+    put(tokens, i, end, &["there", "are", "n", &unit, "wide", "paths", "to", "everything"]);
+    tokens[i + 2] = number;
+    if word(tokens, i + 8) == "so" {
+        tokens[i + 8].text = ".".to_owned();
+        tokens[i + 8].kind = WordKind::Sign('.');
     }
     true
 }
@@ -113,6 +140,15 @@ mod tests {
                 "two rows of shelves with 0.9 m between them .".to_owned(),
             ),
             ("leave enough space to get a pram through to the toilets door", paths.to_owned()),
+            (
+                "a kitchen. the robot base is 60 cm wide so keep the floor free.",
+                "a kitchen . there are 60 cm wide paths to everything . keep the floor free .".to_owned(),
+            ),
+            (
+                "a lab with a robot. the robot is 60 cm wide.",
+                "a lab with a robot . the robot is 60 cm wide .".to_owned(),
+            ),
+            ("the robot", "the robot".to_owned()),
             ("a hall with a pram. the pram stands there.", "a hall with a pram . the pram stands there .".to_owned()),
             ("a visitor with a pram sits there.", "a visitor with a pram sits there .".to_owned()),
         ] {

@@ -1,9 +1,9 @@
 //! Places that depend on which way one looks or on what a room is like: "at one end", "on the left as you come in", "along the
 //! front window", "five chairs on each side", "two on each side wall".
 
-use super::lexicon::{get, plural};
+use super::lexicon::{get, plural, singular};
 use super::number::count;
-use super::paraphrase::{put, word};
+use super::paraphrase::{ends, put, word};
 use super::shares::noun;
 use super::token::{Token, WordKind};
 use crate::brief::Group;
@@ -17,6 +17,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || on_each_side(tokens, i)
         || on_side_walls(tokens, i)
         || with_in_corner(tokens, i)
+        || with_placed(tokens, i)
 }
 
 /// "A stage at one end": at a wall. Which one is the end of a room depends on its size, which nobody has given.
@@ -165,6 +166,44 @@ fn with_in_corner(tokens: &mut [Token], i: usize) -> bool {
     true
 }
 
+/// "A desk with catalogues next to the entrance", "a table with a lamp by the window": what stands there is the desk, with what is
+/// on it.
+fn with_placed(tokens: &mut [Token], i: usize) -> bool {
+    let group = |k: usize| get().noun(&singular(word(tokens, k)));
+    let carrier =
+        |group: Option<Group>| matches!(group, Some(Group::Table | Group::Storage | Group::Bed | Group::Floor));
+    let carried = |name: &str| {
+        let kind = get().noun(name);
+        matches!(kind, Some(Group::Top | Group::Soft | Group::Screen))
+            || matches!(name, "lamp" | "catalogue" | "catalog")
+    };
+    if i == 0 || word(tokens, i) != "with" || !carrier(group(i - 1)) {
+        return false;
+    }
+    let article = usize::from(matches!(word(tokens, i + 1), "a" | "an" | "some"));
+    let Some(name) = noun(tokens, i + 1 + article) else { return false };
+    let is_one = article == 1 || plural(word(tokens, name.end - 1));
+    let at = name.end;
+    let by = match [word(tokens, at), word(tokens, at + 1), word(tokens, at + 2)] {
+        ["next", "to", _] => 2,
+        ["in", "front", "of"] => 3,
+        ["near" | "beside" | "by" | "under" | "opposite" | "against" | "along" | "behind", _, _] => 1,
+        _ => return false,
+    };
+    let next = at + by + 1;
+    let opening = matches!(word(tokens, next), "entrance" | "door" | "window" | "wall" | "exit");
+    let what = noun(tokens, next).or(opening.then_some(next..next + 1));
+    let what = what.filter(|_| matches!(word(tokens, at + by), "the" | "a" | "an"));
+    let Some(what) = what.filter(|_| is_one && carried(&singular(word(tokens, at - 1)))) else { return false };
+    // "Books next to the lamp", "cushions against the headboard" are about what is on it.
+    let last = singular(word(tokens, what.end - 1));
+    if carried(&last) || get().part(&last) || !ends(tokens, what.end) {
+        return false;
+    }
+    tokens[i..what.end].rotate_left(at - i);
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -186,6 +225,11 @@ mod tests {
                 "a reading chair in the corner with a floor lamp by the",
             ),
             ("a table with a plant in the corner", "a table with a plant in the corner"),
+            ("a desk with catalogues next to the entrance.", "a desk next to the entrance with catalogues ."),
+            ("a low table with a lamp by the sofa, a rug", "a low table by the sofa with a lamp , a rug"),
+            ("a bed with cushions against the headboard", "a bed with cushions against the headboard"),
+            ("a shelf with books next to the lamp", "a shelf with books next to the lamp"),
+            ("a desk with a lamp next to", "a desk with a lamp next to"),
             ("a hall with a stage at one end and chairs", "a hall with a stage against a wall and chairs"),
             ("one big table at the far end with eight chairs", "one big table at the back with eight chairs"),
             ("a sofa at one end and a desk at the other", "a sofa at one end and a desk at the other"),

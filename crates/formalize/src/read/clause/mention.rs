@@ -146,6 +146,24 @@ impl Reader<'_> {
         all().find(named).or_else(|| all().next())
     }
 
+    /// The room that a new thing is in: that which is spoken of or, where several were only listed, "a bedroom and a bathroom. A
+    /// double bed, a shower", the one of them that usually has such a thing.
+    fn usual_room(&self, noun: &str) -> usize {
+        if !self.room_listed || !self.s.rooms.is_empty() {
+            return self.room;
+        }
+        let has = |room: &usize| {
+            let kind = crate::furnish::kinds::of(&self.brief.rooms[*room].name);
+            let lines = kind.into_iter().flat_map(|kind| &kind.lines);
+            lines.into_iter().any(|line| crate::furnish::stand::counts_as(line.noun, noun))
+        };
+        let all: Vec<usize> = (0..self.brief.rooms.len()).filter(has).collect();
+        match all[..] {
+            [only] => only,
+            _ => self.room,
+        }
+    }
+
     /// A new thing.
     pub(super) fn add(&mut self, np: &Np, at: Range<usize>) -> usize {
         let number = match (np.count, np.det) {
@@ -163,7 +181,7 @@ impl Reader<'_> {
             group: np.group.unwrap_or(Group::Floor),
             number,
             of: None,
-            room: self.room,
+            room: self.usual_room(&np.name()),
             beyond: None,
             places: None,
             look: np.look.clone(),

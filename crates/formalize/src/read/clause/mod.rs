@@ -66,6 +66,8 @@ pub struct Reader<'a> {
     /// For every token, whether something came of it.
     pub used: Vec<bool>,
     room: usize,
+    /// That room was named after another one in the same sentence: "a bedroom and a bathroom".
+    room_listed: bool,
     /// The sentence before was about the room.
     about_room: bool,
     /// It began with the room, whatever it went on to.
@@ -193,6 +195,7 @@ impl<'a> Reader<'a> {
             gone: vec![],
             used: vec![false; tokens.len()],
             room: 0,
+            room_listed: false,
             about_room: true,
             room_began: false,
             main: vec![],

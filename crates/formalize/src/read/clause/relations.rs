@@ -632,7 +632,7 @@ impl Reader<'_> {
         for item in self.brief.things.iter_mut().filter(|i| i.source.at().start >= start) {
             item.room = room;
         }
-        self.room = room;
+        (self.room, self.room_listed) = (room, false);
     }
 
     /// Another object after "and": a definite one, or anything where two are needed.

@@ -66,7 +66,7 @@ impl Reader<'_> {
         match np.kind {
             NounKind::Room => {
                 if let Some(room) = self.rooms.spoken.get(&first) {
-                    self.room = *room;
+                    (self.room, self.room_listed) = (*room, false);
                     self.room_look(*room, np);
                     if closed {
                         self.mark(from);

@@ -153,7 +153,7 @@ impl Reader<'_> {
             _ => false,
         };
         if !aside && !self.goes_on_before(i, end, room) {
-            self.room = room;
+            (self.room, self.room_listed) = (room, named_before);
         }
         self.near.clear();
         if !self.s.subject {

@@ -1,0 +1,335 @@
+//! Rooms that a request counts before it names them: "two rooms, a bedroom and a bathroom", "a clinic made of two rooms. The
+//! waiting room has …", "room one: a bed. Room two: a sofa"; and a place that is no room of its own: "a workshop in my garage".
+
+use super::lexicon::{get, singular};
+use super::number::count;
+use super::paraphrase::{put, word};
+use super::token::{Token, WordKind};
+use crate::furnish::kinds;
+use std::ops::Range;
+
+/// The most words of a room's name.
+const LONGEST: usize = 3;
+/// What a room is that has one of these, the first that fits.
+const BY_CONTENTS: [(&str, &[&str]); 6] = [
+    ("bedroom", &["bed", "beds", "bunk", "crib", "cot"]),
+    ("bathroom", &["bathtub", "shower", "toilet", "bath"]),
+    ("kitchen", &["stove", "fridge", "oven", "hob", "cooker"]),
+    ("living room", &["sofa", "couch", "tv", "television"]),
+    ("dining room", &["dining"]),
+    ("office", &["desk", "desks", "computer"]),
+];
+const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
+/// Where a room may be without being one.
+const PLACES: [&str; 16] = [
+    "garage",
+    "basement",
+    "cellar",
+    "attic",
+    "loft",
+    "shed",
+    "barn",
+    "outbuilding",
+    "backyard",
+    "house",
+    "home",
+    "flat",
+    "apartment",
+    "building",
+    "village",
+    "town",
+];
+
+/// What is said of what is left out.
+const PLACE: &str = "where a room is among the others is not read; doors connect them";
+
+/// Turns what is said so; what is left out, by its bytes.
+pub fn plain(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {
+    within(tokens);
+    labelled(tokens);
+    named_later(tokens);
+    placed(tokens)
+}
+
+/// "The treatment room behind it has two tables", "the waiting room at the front has six chairs": the room has them.
+fn placed(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {
+    let has = |k: usize| matches!(word(tokens, k), "has" | "have" | "contains" | "needs" | "gets" | "with");
+    let among = |k: usize| match [word(tokens, k), word(tokens, k + 1), word(tokens, k + 2)] {
+        ["behind" | "beside" | "opposite" | "after" | "above" | "below", "it" | "that", _] => Some(k + 2),
+        ["next" | "adjacent", "to" | "door", "it"] => Some(k + 3),
+        ["at", "the", "front" | "back" | "rear" | "end" | "entrance"] => Some(k + 3),
+        ["in", "front", _] | ["next", "door", _] => Some(k + 2),
+        _ => None,
+    };
+    let found: Vec<Range<usize>> = (0..tokens.len())
+        .filter(|k| starts(tokens, *k) && matches!(word(tokens, *k), "the" | "a"))
+        .filter_map(|k| room(tokens, k + 1))
+        .filter_map(|k| among(k).filter(|end| has(*end)).map(|end| k..end))
+        .collect();
+    let bytes = |range: &Range<usize>| tokens[range.start].at.start..tokens[range.end - 1].at.end;
+    let notes = found.iter().map(|range| (bytes(range), PLACE.to_owned())).collect();
+    found.into_iter().rev().for_each(|range| drop(tokens.drain(range)));
+    notes
+}
+
+fn starts(tokens: &[Token], i: usize) -> bool {
+    i == 0 || matches!(tokens[i - 1].kind, WordKind::Line | WordKind::Sign('.' | ';' | '!' | '?'))
+}
+
+/// Where the name of a room ends that begins at a token.
+fn room(tokens: &[Token], i: usize) -> Option<usize> {
+    let named = |n: &usize| {
+        let name: Vec<String> = (i..i + n).map(|k| word(tokens, k).to_owned()).collect();
+        let whole = name.join(" ");
+        !name.iter().any(|word| matches!(word.as_str(), "" | "the" | "a" | "with" | "in" | "of"))
+            && (get().room(&whole).is_some() || kinds::named(&whole).is_some())
+            && get().noun(&whole).is_none()
+    };
+    (1..=LONGEST).rev().find(named).map(|n| i + n)
+}
+
+/// A number of rooms: "two rooms".
+fn several(tokens: &[Token], i: usize) -> Option<usize> {
+    let (n, used) = count(tokens.get(i..i + 1)?)?;
+    let is_number = used == 1 && n.fract() == 0.0 && (2.0..=6.0).contains(&n);
+    (is_number && matches!(word(tokens, i + 1), "rooms" | "spaces" | "areas")).then_some(n as usize)
+}
+
+/// "A woodworking shop in my garage": the shop is the garage.
+fn within(tokens: &mut Vec<Token>) {
+    const HEAD: usize = 10;
+    let said = (1..tokens.len().min(HEAD)).find_map(|i| {
+        let owned = matches!(word(tokens, i + 1), "my" | "our" | "the" | "a" | "an" | "his" | "her" | "their");
+        if word(tokens, i) != "in" || !owned {
+            return None;
+        }
+        let place = (i + 2..i + 4).find(|k| PLACES.contains(&word(tokens, *k)))?;
+        let ends =
+            tokens.get(place + 1).is_none_or(|t| !t.word() || matches!(t.text.as_str(), "with" | "for" | "that"));
+        let named = (i.saturating_sub(LONGEST)..i).any(|from| room(tokens, from) == Some(i));
+        (ends && named).then_some(i..place + 1)
+    });
+    if let Some(said) = said {
+        tokens.drain(said);
+    }
+}
+
+/// A part of a request that is about one room: its label, and where it ends.
+struct Part {
+    label: Range<usize>,
+    end: usize,
+}
+
+/// "Room one: a bed. Room two: a sofa": the bedroom has a bed, and the living room a sofa.
+fn labelled(tokens: &mut Vec<Token>) {
+    let labels: Vec<Range<usize>> = (0..tokens.len()).filter_map(|i| label(tokens, i)).collect();
+    if labels.len() < 2 || labels.len() > ORDINALS.len() {
+        return;
+    }
+    let all = |k: usize| starts(tokens, k) && matches!(word(tokens, k), "both" | "each" | "all" | "the" | "they");
+    let part = |(at, label): (usize, &Range<usize>)| {
+        let next = labels.get(at + 1).map_or(tokens.len(), |next| next.start);
+        Part { label: label.clone(), end: (label.end..next).find(|k| all(*k)).unwrap_or(next) }
+    };
+    let parts: Vec<Part> = labels.iter().enumerate().map(part).collect();
+    let kind_of = |part: &Part| {
+        let has = |words: &[&str]| tokens[part.label.end..part.end].iter().any(|t| words.iter().any(|word| t.is(word)));
+        BY_CONTENTS.iter().find(|(_, words)| has(words)).map(|(kind, _)| *kind)
+    };
+    let Some(found) = parts.iter().map(kind_of).collect::<Option<Vec<&str>>>() else { return };
+    let alike = |kind: &str| found.iter().filter(|other| **other == kind).count();
+    let names: Vec<String> = (0..found.len())
+        .map(|at| {
+            let nth = found[..at].iter().filter(|other| **other == found[at]).count();
+            let which = if alike(found[at]) > 1 { format!("{} ", ORDINALS[nth]) } else { String::new() };
+            format!("{which}{}", found[at])
+        })
+        .collect();
+    of_all(tokens, parts.last().map_or(0, |part| part.end), &names);
+    for (at, part) in parts.iter().enumerate().rev() {
+        let kind = found[at];
+        let nth = found[..at].iter().filter(|other| **other == kind).count();
+        let which: &[&str] = if alike(kind) > 1 { &ORDINALS[nth..=nth] } else { &[] };
+        let words: Vec<&str> = ["the"].iter().chain(which).copied().chain(kind.split(' ')).chain(["has"]).collect();
+        put(tokens, part.label.start, part.label.end, &words);
+    }
+    // "Two bedrooms." Rooms of different kinds are named where their parts begin.
+    let first = labels[0].start;
+    let same = alike(found[0]) == found.len();
+    let Some(counted) = (0..first).find(|i| several(tokens, *i).is_some()) else {
+        if same {
+            let like = Token { at: tokens[first].at.clone(), ..tokens[first].clone() };
+            let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..like.clone() };
+            let number = new(WordKind::Number(found.len() as f64), &found.len().to_string());
+            let words = found[0].split(' ').map(|text| new(WordKind::Word, text));
+            let mut said: Vec<Token> = std::iter::once(number).chain(words).collect();
+            if let Some(last) = said.last_mut() {
+                last.text = scenelang_lang::nouns::plural(&last.text);
+            }
+            said.push(new(WordKind::Sign('.'), "."));
+            tokens.splice(first..first, said);
+        }
+        return;
+    };
+    if same {
+        let last = found[0].split(' ').next_back().unwrap_or_default();
+        let many = scenelang_lang::nouns::plural(last);
+        let mut words: Vec<&str> = found[0].split(' ').collect();
+        words.pop();
+        words.push(&many);
+        put(tokens, counted + 1, counted + 2, &words);
+    } else {
+        tokens.drain(counted..counted + 2);
+    }
+}
+
+/// "Both rooms are 3 by 4 m", "each one needs a wardrobe", after the parts: a sentence for each room.
+fn of_all(tokens: &mut Vec<Token>, from: usize, names: &[String]) {
+    let subject = |tokens: &[Token], k: usize| match [word(tokens, k), word(tokens, k + 1)] {
+        ["both" | "all", "rooms"] | ["each", "one" | "room" | "of"] => {
+            Some(k + 2 + 2 * usize::from(word(tokens, k + 1) == "of"))
+        }
+        ["both" | "each", "are" | "have" | "need" | "has" | "needs"] => Some(k + 1),
+        _ => None,
+    };
+    let mut k = from;
+    while k < tokens.len() {
+        let Some(verb) = subject(tokens, k).filter(|_| starts(tokens, k)) else {
+            k += 1;
+            continue;
+        };
+        let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | ';'));
+        let end = tokens[verb..].iter().position(stops).map_or(tokens.len(), |n| verb + n);
+        let Some(like) = tokens.get(k).cloned() else { return };
+        let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..like.clone() };
+        let mut said = Vec::new();
+        for (at, name) in names.iter().enumerate() {
+            if at > 0 {
+                said.push(new(WordKind::Sign('.'), "."));
+            }
+            said.extend(["the"].into_iter().chain(name.split(' ')).map(|text| new(WordKind::Word, text)));
+            let mut clause = tokens[verb..end].to_vec();
+            if let Some(first) = clause.first_mut() {
+                let one = match first.text.as_str() {
+                    "are" => "is",
+                    "have" => "has",
+                    "need" => "needs",
+                    other => other,
+                };
+                first.text = one.to_owned();
+            }
+            said.extend(clause);
+        }
+        let length = said.len();
+        tokens.splice(k..end, said);
+        k += length;
+    }
+}
+
+/// "Room one:", "room 2:", "first room:", "the second room has".
+fn label(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    if !starts(tokens, i) {
+        return None;
+    }
+    let the = usize::from(word(tokens, i) == "the");
+    let numbered = |k: usize| {
+        tokens.get(k).is_some_and(|t| {
+            matches!(t.kind, WordKind::Number(_))
+                || matches!(t.text.as_str(), "one" | "two" | "three" | "four" | "a" | "b" | "c")
+        })
+    };
+    let end = match [word(tokens, i + the), word(tokens, i + the + 1)] {
+        ["room", _] if numbered(i + the + 1) => i + the + 2,
+        [nth, "room"] if ORDINALS.contains(&nth) || nth == "other" => i + the + 2,
+        _ => return None,
+    };
+    let has = tokens.get(end).is_some_and(|t| matches!(t.kind, WordKind::Sign(':' | '-' | '–')))
+        || matches!(word(tokens, end), "has" | "with" | "contains" | "needs" | "gets");
+    has.then_some(i..end + 1)
+}
+
+/// "Two rooms please, a bedroom and a bathroom" are these two; so are those of "a clinic made of two rooms. The waiting room has …".
+fn named_later(tokens: &mut Vec<Token>) {
+    let Some((i, n)) = (0..tokens.len()).find_map(|i| Some((i, several(tokens, i)?))) else { return };
+    let please = i + 2 + usize::from(word(tokens, i + 2) == "please");
+    let sign = tokens.get(please).is_some_and(|t| matches!(t.kind, WordKind::Sign(',' | ':' | '-' | '–')));
+    if sign && matches!(word(tokens, please + 1), "a" | "an" | "one" | "the") && room(tokens, please + 2).is_some() {
+        tokens.drain(i..=please);
+        return;
+    }
+    // Rooms that sentences begin with.
+    let mut named: Vec<String> = Vec::new();
+    for k in (please..tokens.len()).filter(|k| starts(tokens, *k) && matches!(word(tokens, *k), "the" | "a" | "one")) {
+        if let Some(end) = room(tokens, k + 1) {
+            let name = (k + 1..end).map(|k| singular(word(tokens, k))).collect::<Vec<_>>().join(" ");
+            if !named.contains(&name) {
+                named.push(name);
+            }
+        }
+    }
+    let made = (1..=3).find(|back| {
+        i.checked_sub(*back).is_some_and(|k| {
+            matches!(
+                (word(tokens, k), word(tokens, k + 1), back),
+                ("made" | "made-up" | "consisting" | "comprised" | "composed", "of", 2)
+                    | ("with" | "has" | "having", _, 1)
+            )
+        })
+    });
+    let closed = tokens.get(i + 2).is_none_or(|t| matches!(t.kind, WordKind::Line | WordKind::Sign(_)));
+    if let Some(back) = made.filter(|_| named.len() == n && closed) {
+        // What they are rooms of is a building.
+        let from = (0..i - back).rev().find(|k| starts(tokens, *k)).unwrap_or(0);
+        let article = usize::from(matches!(word(tokens, from), "a" | "an" | "the" | "my" | "our"));
+        let whole = (from + article..i - back).all(|k| tokens[k].word()) && i - back - from <= 5;
+        if whole {
+            put(tokens, from, i + 2, &["a", "building"]);
+        } else {
+            tokens.drain(i - back..i + 2);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[test]
+    fn counted_rooms_are_those_that_are_named() {
+        for (text, becomes) in [
+            ("two rooms please, a bedroom and a bathroom.", "a bedroom and a bathroom ."),
+            ("two rooms: a bedroom and a bathroom.", "a bedroom and a bathroom ."),
+            (
+                "physiotherapy clinic made of two rooms. the waiting room at the front has a desk. the treatment room behind it has a table.",
+                "a building . the waiting room has a desk . the treatment room has a table .",
+            ),
+            (
+                "a flat with two rooms. the bedroom has a bed. the lamp is red.",
+                "a flat with two rooms . the bedroom has a bed . the lamp is red .",
+            ),
+            (
+                "two rooms. room one: a bed, black and blue. room two: a loft bed. both rooms are small.",
+                "two bedrooms . the first bedroom has a bed , black and blue . the second bedroom has a loft bed . the first bedroom \
+                 is small . the second bedroom is small .",
+            ),
+            ("room 1: a bed. room 2: a sofa.", "the bedroom has a bed . the living room has a sofa ."),
+            (
+                "room 1: a bed. room 2: a bed.",
+                "2 bedrooms . the first bedroom has a bed . the second bedroom has a bed .",
+            ),
+            ("room 1: a bed. room 2: a lamp.", "room 1 : a bed . room 2 : a lamp ."),
+            ("room 12: a bed.", "room 12 : a bed ."),
+            ("woodworking shop in my garage, 6 m long", "woodworking shop , 6 m long"),
+            ("a home gym in the basement with a bench", "a home gym with a bench"),
+            ("a desk in my garage", "a desk in my garage"),
+            ("a bedroom in the", "a bedroom in the"),
+            ("a clinic made of two rooms", "a clinic made of two rooms"),
+        ] {
+            let mut tokens = tokens(text, 100).0;
+            plain(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
+}
