@@ -120,6 +120,14 @@ pub fn mentions(code: &str, name: &str) -> bool {
     code.contains(name) && words(code).contains(&name)
 }
 
+/// The names that are called in a statement.
+pub fn calls(text: &str) -> Vec<&str> {
+    let is_name = |c: char| c.is_alphanumeric() || c == '_';
+    let starts = text.match_indices('(').map(|(at, _)| &text[..at]);
+    let names = starts.map(|before| before.rsplit(|c: char| !is_name(c)).next().unwrap_or_default());
+    names.filter(|name| !name.is_empty()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -111,6 +111,14 @@ fn by_relation(brief: &Brief, out: &mut [[f64; 3]]) {
                 {
                     out[*a] = [0.25, 0.45, 0.25];
                 }
+                // A statue on a plinth is no larger than its top.
+                FactKind::Rel(Rel::On, to)
+                    if item.size == [None; 3] && to.iter().all(|b| is_plinth(brief, *b)) && out[*a][1] > 0.4 =>
+                {
+                    let top = to.iter().map(|b| out[*b][0].min(out[*b][2])).fold(f64::INFINITY, f64::min);
+                    let factor = (0.75 * top / out[*a][0].max(out[*a][2])).min(1.0);
+                    out[*a] = [out[*a][0] * factor, (out[*a][1] * factor).min(0.8), out[*a][2] * factor];
+                }
                 // What is under another is no higher than that.
                 FactKind::Rel(Rel::Under, to) => {
                     let least = |b: &usize| {
@@ -128,6 +136,11 @@ fn by_relation(brief: &Brief, out: &mut [[f64; 3]]) {
     }
 }
 
+/// What shows one thing on its top.
+fn is_plinth(brief: &Brief, thing: usize) -> bool {
+    brief.things[thing].words.last().is_some_and(|word| matches!(word.as_str(), "plinth" | "pedestal" | "podium"))
+}
+
 /// What a thing has to carry, or to have beside it: metres along it, square metres, and the sides of the largest.
 struct Load {
     width: f64,
@@ -142,7 +155,7 @@ fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
             brief.things[b].group,
             Group::Table | Group::Storage | Group::Bed | Group::Flat | Group::Seat | Group::Floor | Group::Top
         );
-        if brief.things[b].size[0].is_some() || !carries {
+        if brief.things[b].size[0].is_some() || !carries || is_plinth(brief, b) {
             continue;
         }
         let Load { width, area, sides } = load(brief, out, b);

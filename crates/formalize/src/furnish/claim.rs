@@ -10,7 +10,7 @@ use super::stand::{self, counts_as};
 use super::{FENCED, daylight, units};
 use crate::brief::Group;
 use crate::draft::{Demand, Draft, DraftThing, Statement, ThingOrigin};
-use crate::names::{mentions, words};
+use crate::names::{calls, mentions, words};
 
 /// Groups of groups: so deep.
 const DEEP: usize = 2;
@@ -224,7 +224,7 @@ impl Plan<'_> {
             // That seats are spread over the sides of a table is only preferred.
             let spread = around && s.demand == Demand::Prefer;
             calls(&s.text).iter().all(|call| match *call {
-                "near" | "looksAt" | "facing" | "onFloor" => true,
+                "near" | "looksAt" | "facing" | "onFloor" | "reachable" => true,
                 "clear" => around && stand::group(part.noun) == Group::Seat,
                 "inside" => s.text.contains(&format!(", {})", self.draft.rooms[self.room].name)),
                 "around" => around,
@@ -282,7 +282,7 @@ impl Plan<'_> {
     pub(super) fn is_placed(&self, at: usize) -> bool {
         let name = &self.draft.things[at].name;
         let stated = self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
-        stated.filter(|s| mentions(&s.text, name)).any(|s| is_subject(&s.text, name))
+        stated.filter(|s| mentions(&s.text, name) && !stand::is_path(s)).any(|s| is_subject(&s.text, name))
     }
 
     /// Whether the request says that each of several things is in a corner, and nothing else of where they stand.
@@ -351,14 +351,6 @@ fn is_any_of(text: &str, name: &str) -> bool {
         && text
             .split_once(':')
             .is_some_and(|(head, rest)| head.ends_with(&format!(" in {name}")) && !mentions(rest, name))
-}
-
-/// The names that are called in a statement.
-fn calls(text: &str) -> Vec<&str> {
-    let is_name = |c: char| c.is_alphanumeric() || c == '_';
-    let starts = text.match_indices('(').map(|(at, _)| &text[..at]);
-    let names = starts.map(|before| before.rsplit(|c: char| !is_name(c)).next().unwrap_or_default());
-    names.filter(|name| !name.is_empty()).collect()
 }
 
 /// Where elements of a part may be that are asked for, the best place first.

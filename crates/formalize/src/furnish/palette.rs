@@ -3,6 +3,7 @@
 use super::kinds;
 use super::taste::is_colored;
 use crate::brief::Brief;
+use crate::colors::known;
 use crate::draft::{Draft, Look, ThingOrigin};
 
 /// Colours that walls may have without making a room dark.
@@ -53,6 +54,11 @@ pub fn paint(draft: &mut Draft, brief: &Brief) {
                 thing.look.color = Some(colors[turn % colors.len()].clone());
                 turn += 1;
             }
+        }
+        // Where nothing shows a colour, the walls do, in a light tone of it.
+        if turn == 0 && !said && light.is_some() {
+            let tone = colors[0];
+            room.walls.color = Some(known(&format!("light{tone}")).unwrap_or_else(|| tone.clone()));
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::brief::Group;
 use crate::draft::{Draft, DraftThing, Statement, ThingOrigin};
-use crate::names::mentions;
+use crate::names::{calls, mentions};
 use crate::read::lexicon::get;
 use scenelang_lang::nouns::{self, Stands};
 use std::collections::HashMap;
@@ -298,13 +298,19 @@ pub fn has_robot(draft: &Draft, thing: usize) -> bool {
 
 /// Whether the request says where or how a thing stands.
 pub fn placed(draft: &Draft, name: &str) -> bool {
-    draft.statements.iter().any(|s| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name))
+    let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name);
+    draft.statements.iter().filter(about).any(|s| !is_path(s))
+}
+
+/// Whether all that a statement says is that a path leads to something, wherever it stands.
+pub fn is_path(statement: &Statement) -> bool {
+    calls(&statement.text) == ["reachable"]
 }
 
 /// The same, but for what is said of it in relation to one other thing, by the statements that count.
 pub fn placed_where(draft: &Draft, name: &str, other: Option<&str>, counts: &dyn Fn(&Statement) -> bool) -> bool {
     let about = |s: &&Statement| matches!(s.source, ThingOrigin::Stated(_)) && mentions(&s.text, name) && counts(s);
-    draft.statements.iter().filter(about).any(|s| {
+    draft.statements.iter().filter(about).filter(|s| !is_path(s)).any(|s| {
         let related = other.is_some_and(|other| mentions(&s.text, other));
         // Two on both sides of a table face each other.
         let related = related || s.text.contains(&format!("facing({name}[2 * i], {name}["));

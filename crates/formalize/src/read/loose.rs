@@ -1,7 +1,7 @@
 //! What is said behind a noun and belongs before it: "a fridge, which is tall", "twelve chairs, all brown except one", "chairs,
 //! at least three of them", "a hall, 20 metres on each side".
 
-use super::lexicon::{Class, get, singular};
+use super::lexicon::{Class, get, plural, singular};
 use super::number;
 use super::paraphrase::{ends, put, word};
 use super::shares::{counted, noun};
@@ -10,9 +10,11 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 26] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 28] = [
         scattered,
         down_the_middle,
+        on_plinths,
+        on_tracks,
         left_behind,
         which_is,
         all_but,
@@ -405,19 +407,61 @@ fn scattered(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A conveyor running down the middle": in the middle.
+/// "A conveyor running down the middle": in the middle. "Three plinths with busts down the centre line": the plinths are in a row there.
 fn down_the_middle(tokens: &mut Vec<Token>, i: usize) -> bool {
     let that = usize::from(matches!(word(tokens, i), "that" | "which"));
-    let runs = matches!(word(tokens, i + that), "running" | "runs" | "going" | "goes");
-    let down = i + that + 1;
-    let said = runs
-        && matches!(word(tokens, down), "down" | "along" | "through")
+    let runs = usize::from(matches!(
+        word(tokens, i + that),
+        "running" | "runs" | "going" | "goes" | "standing" | "stand" | "placed" | "set"
+    ));
+    let down = i + that + runs;
+    let said = matches!(word(tokens, down), "down" | "along" | "through")
         && word(tokens, down + 1) == "the"
-        && matches!(word(tokens, down + 2), "middle" | "centre" | "center");
+        && matches!(word(tokens, down + 2), "middle" | "centre" | "center")
+        && (runs == 1 || that == 0 && word(tokens, down) != "through");
+    // Aisles and paths are read elsewhere.
+    let passage =
+        i > 0 && matches!(word(tokens, i - 1), "aisle" | "path" | "corridor" | "walkway" | "passage" | "gap" | "wide");
+    if !said || passage || i == 0 {
+        return false;
+    }
+    let line = usize::from(matches!(word(tokens, down + 3), "line" | "axis"));
+    let end = down + 3 + line;
+    // What is on them does not stand there by itself.
+    let with = (i.saturating_sub(6)..i).rev().find(|k| *k > 0 && word(tokens, *k) == "with");
+    let host = with.filter(|k| plural(word(tokens, k - 1)) || matches!(word(tokens, k - 1), "plinth" | "pedestal"));
+    let many = plural(word(tokens, host.unwrap_or(i) - 1));
+    let words: &[&str] = if many { &["in", "a", "row", "in", "the", "middle"] } else { &["in", "the", "middle"] };
+    put(tokens, i, end, words);
+    if let Some(with) = host {
+        tokens[with..i + words.len()].rotate_right(words.len());
+    }
+    true
+}
+
+/// "Spotlights on tracks": track lights.
+fn on_tracks(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let lights = matches!(word(tokens, i), "spotlights" | "lights" | "spots" | "lamps");
+    let article = usize::from(matches!(word(tokens, i + 2), "a" | "the"));
+    let end = i + 2 + article;
+    let tracks = matches!(word(tokens, end), "tracks" | "track" | "rails" | "rail");
+    let said = lights && word(tokens, i + 1) == "on" && tracks;
     if said {
-        put(tokens, i, down + 1, &["in"]);
+        put(tokens, i, end + 1, &["track", "lights"]);
     }
     said
+}
+
+/// "A plinth with a bust": it stands on it.
+fn on_plinths(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let many = matches!(word(tokens, i), "plinths" | "pedestals" | "podiums");
+    let one = matches!(word(tokens, i), "plinth" | "pedestal");
+    let article = usize::from(matches!(word(tokens, i + 2), "a" | "an"));
+    let name = noun(tokens, i + 2 + article).filter(|_| (many || one) && word(tokens, i + 1) == "with");
+    let placed = |k: usize| matches!(word(tokens, k), "down" | "along" | "in" | "at" | "by" | "near");
+    let Some(name) = name.filter(|name| ends(tokens, name.end) || placed(name.end)) else { return false };
+    super::shares::insert(tokens, name.end, if many { &["on", "them"] } else { &["on", "it"] });
+    true
 }
 
 /// "With mugs and plates left behind": behind nothing.
@@ -661,6 +705,15 @@ mod tests {
                 "an office for two people with two desks against opposite walls , each with a monitor and chair .",
             ),
             ("a conveyor belt running down the middle", "a conveyor belt in the middle"),
+            ("three long tables down the centre of the room", "three long tables in a row in the middle of the room"),
+            (
+                "three plinths with busts down the centre line, a bench",
+                "three plinths in a row in the middle with busts on them , a bench",
+            ),
+            ("a plinth with a vase", "a plinth with a vase on it"),
+            ("spotlights on tracks, a bench", "track lights , a bench"),
+            ("a path down the middle", "a path down the middle"),
+            ("down the middle", "down the middle"),
             ("with mugs and plates left behind.", "with mugs and plates ."),
             ("scatter three rugs around the table", "scatter three rugs around the table"),
             ("a bed, a desk opposite.", "a bed , a desk opposite it ."),

@@ -95,6 +95,11 @@ impl Named<'_> {
                         "length(vec3({x}.center.x - {room}.center.x, 0, {x}.center.z - {room}.center.z)) <= {reach}"
                     )
                 }));
+                // One row is on the middle line.
+                if self.grid(a).is_some_and(|grid| grid.rows == 1 && grid.columns > 1) {
+                    let across = if self.is_lengthwise(a) { "x" } else { "z" };
+                    say(format!("abs({}[0].center.{across} - {room}.center.{across}) <= 0.5", self.name(a)));
+                }
             }
             Place::Side | Place::End | Place::Back | Place::Front | Place::Head | Place::Foot => {
                 let mut which = which.to_vec();

@@ -262,6 +262,11 @@ impl Named<'_> {
         let place = |at: String, r: &str| {
             format!("{at}.pos.x = {of}[0].pos.x + i * {x} and {at}.pos.z = {of}[0].pos.z - {r} * {z}")
         };
+        if grid.rows == 1 && self.is_lengthwise(a) {
+            return Some(format!(
+                "forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x and {of}[i].pos.z = {of}[0].pos.z + i * {x}"
+            ));
+        }
         if grid.rows == 1 {
             return Some(format!(
                 "forall i in 0..{n}: {of}[i].pos.x = {of}[0].pos.x + i * {x} and {of}[i].pos.z = {of}[0].pos.z"
@@ -294,6 +299,17 @@ impl Named<'_> {
             );
         }
         Some(out)
+    }
+
+    /// Whether a row in the middle of a room goes along its depth: the room is deeper than it is wide, and the things are as wide as
+    /// deep.
+    pub(super) fn is_lengthwise(&self, a: usize) -> bool {
+        const LONGER: f64 = 1.2;
+        const SQUARE: f64 = 0.3;
+        let middle = self.said(a, |w| matches!(w, FactKind::Place(_, Place::Middle, _)));
+        let [width, _, depth] = self.sizes[a];
+        let size = self.room_sizes.get(self.brief.things[a].room);
+        middle && (width - depth).abs() < SQUARE && size.is_some_and(|room| room[2] > LONGER * room[0])
     }
 
     /// As many seats at the one side of a table as at the other: spread evenly, turned to it.

@@ -77,7 +77,18 @@ impl Reader<'_> {
         let of_room = self.near.is_empty() && self.np(i + 1, end).is_some_and(|n| n.group == Some(Group::Door));
         let with_back = with_back && !of_room && !self.relates_after(i + 2, end);
         if !with_back && !self.near.is_empty() {
-            let owner = self.bearer(self.near.clone(), i + 1, end);
+            let mut owner = self.bearer(self.near.clone(), i + 1, end);
+            // "Track lights and a desk with magazines": nothing lies on lights.
+            let lies = self.np(i + 1, end).is_some_and(|n| matches!(n.group, Some(Group::Top | Group::Soft)));
+            let carries = |o: &usize| {
+                !matches!(
+                    self.brief.things[*o].group,
+                    Group::Ceiling | Group::Wall | Group::Drape | Group::Door | Group::Window
+                )
+            };
+            if lies && owner.iter().any(carries) {
+                owner.retain(carries);
+            }
             // "speakers in the corners, with a screen on the wall": one screen.
             self.s.together = i > 0 && chunks[i - 1].piece == ChunkPiece::Comma;
             self.s.expect = Expect::With(owner, Join::Usual);
