@@ -21,6 +21,8 @@ pub fn usual(named: &Named, out: &mut Stated) {
         it.screen(out);
         it.at_eye_level(out);
         it.under_others(out);
+        it.along_walls(out);
+        it.square(out);
     }
 }
 
@@ -272,6 +274,31 @@ impl<'n, 'b> It<'n, 'b> {
             let verb = if turned { "prefer" } else { "assert" };
             let along = self.named.pairs(self.a, stand, &|x, y| format!("angle({x}.front, {y}.front) <= 5"));
             out.infer(format!("{verb} {along};"), "a screen faces the same way as its stand");
+        }
+    }
+
+    /// A rug in the middle of a room lies along its walls.
+    fn along_walls(&self, out: &mut Stated) {
+        let middle = self.said(|w| matches!(w, FactKind::Place(_, Place::Middle, _)));
+        let other = self.said(|w| matches!(w, FactKind::Rel(Rel::Facing | Rel::Parallel | Rel::Perpendicular, _)));
+        let turned = self.item.look.features.iter().any(|feature| matches!(feature.as_str(), "diagonal" | "angled"));
+        if self.item.group == Group::Flat && self.named.counts[self.a] == 1 && middle && !other && !turned {
+            out.infer(format!("{}.rot <- rot(0, 0, 0);", self.named.name(self.a)), "it lies along the walls");
+        }
+    }
+
+    /// A desk or a cabinet of which it is said where it is among other things stands square to the walls all the same.
+    fn square(&self, out: &mut Stated) {
+        let large = matches!(self.item.group, Group::Table | Group::Storage | Group::Bed);
+        let size = self.named.sizes[self.a];
+        let is_round =
+            self.item.look.features.iter().any(|f| matches!(f.as_str(), "round" | "circular" | "diagonal" | "angled"));
+        let faces = self.said(|w| matches!(w, FactKind::Rel(Rel::Facing | Rel::BackTo, _)));
+        let related =
+            self.said(|w| matches!(w, FactKind::Rel(Rel::On | Rel::In | Rel::Parallel | Rel::Perpendicular, _)));
+        if large && !is_round && faces && !related && !self.held && size[1] > 0.3 && self.named.counts[self.a] == 1 {
+            let name = self.named.name(self.a);
+            out.infer(format!("assert abs({name}.front.x * {name}.front.z) <= 0.02;"), "it stands square to the walls");
         }
     }
 

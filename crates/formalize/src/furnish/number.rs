@@ -13,7 +13,7 @@ pub enum Scale {
     Large,
 }
 
-const SMALL: [&str; 10] = ["small", "tiny", "little", "compact", "cosy", "cozy", "narrow", "mini", "snug", "cramped"];
+const SMALL: [&str; 7] = ["small", "tiny", "little", "compact", "narrow", "mini", "cramped"];
 const LARGE: [&str; 9] = ["large", "big", "spacious", "huge", "grand", "roomy", "generous", "vast", "airy"];
 /// How far before its name a room's adjectives are, in bytes.
 const BEFORE: usize = 40;

@@ -31,6 +31,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || wide_enough(tokens, i)
         || between_rows(tokens, i)
         || no_other(tokens, i)
+        || and_nothing(tokens, i)
         || seats_people(tokens, i)
 }
 
@@ -180,6 +181,18 @@ fn no_other(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Shelves, and nothing heavy near the mat": the shelves may be near it.
+fn and_nothing(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let nothing = word(tokens, i) == "and" && word(tokens, i + 1) == "nothing";
+    if !nothing || matches!(word(tokens, i + 2), "else" | "more" | "other" | "") || i == 0 {
+        return false;
+    }
+    let comma = usize::from(tokens[i - 1].is(","));
+    put(tokens, i - comma, i + 1, &["."]);
+    tokens[i - comma].kind = WordKind::Sign('.');
+    true
+}
+
 /// "A café, about 20 seats", "the table should seat six": for so many people.
 fn seats_people(tokens: &mut Vec<Token>, i: usize) -> bool {
     const SERVES: [&str; 9] = ["cafe", "café", "restaurant", "bistro", "diner", "pub", "bar", "canteen", "pizzeria"];
@@ -232,6 +245,8 @@ mod tests {
             ("cabinets with a sink run along the back wall", "cabinets and a sink run along the back wall"),
             ("two rows of benches with sinks and gas taps", "two rows of benches and two sinks and gas taps"),
             ("desks with a lamp", "desks with a lamp"),
+            ("a mat, shelves, and nothing heavy near the mat", "a mat , shelves . nothing heavy near the mat"),
+            ("a desk, a chair and nothing else", "a desk , a chair and nothing else"),
             (
                 "four rows of racks, wide enough between them for a forklift, so 3.5 metres or more. a desk",
                 "four rows of racks with at least 3.5 m between the rows . a desk",
