@@ -11,7 +11,12 @@ const GROUPS: [&str; 8] = ["groups", "islands", "pods", "clusters", "blocks", "b
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    in_pairs(tokens, i) || in_groups(tokens, i) || shared(tokens, i) || own(tokens, i) || one_each(tokens, i)
+    teaching(tokens, i)
+        || in_pairs(tokens, i)
+        || in_groups(tokens, i)
+        || shared(tokens, i)
+        || own(tokens, i)
+        || one_each(tokens, i)
 }
 
 fn whole(tokens: &[Token], i: usize) -> Option<usize> {
@@ -47,6 +52,19 @@ fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
         tokens.insert(i, number);
     }
     fits
+}
+
+/// "I teach first grade and want a new layout": a classroom is spoken of.
+fn teaching(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const NAMED: [&str; 6] = ["classroom", "class", "room", "studio", "lab", "hall"];
+    let teach = i == 0 && matches!([word(tokens, 0), word(tokens, 1)], ["i" | "we", "teach"]);
+    if !teach || tokens.iter().any(|t| NAMED.contains(&t.text.as_str())) {
+        return false;
+    }
+    let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | ','));
+    let end = tokens.iter().position(ends).unwrap_or(tokens.len());
+    put(tokens, 0, end, &["a", "classroom"]);
+    true
 }
 
 /// "Cots for six babies": six cots. Of desks and chairs the furniture of the room decides, as pupils may share a desk.
@@ -157,6 +175,7 @@ mod tests {
             ("a classroom for 24 kids sitting in pairs.", "a classroom for 24 kids with double desks ."),
             ("twelve desks for two pupils each.", "twelve double desks ."),
             ("cots for 6 babies along the wall", "6 cots along the wall"),
+            ("i teach first grade and want to try a new layout. five tables", "a classroom . five tables"),
             ("two beds for four people", "two beds for four people"),
             ("beds for four", "4 beds"),
             ("beds for", "beds for"),

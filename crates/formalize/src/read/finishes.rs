@@ -29,10 +29,20 @@ pub fn plain(tokens: &mut Vec<Token>) {
             continue;
         }
         tiled(tokens, i);
+        two_colors(tokens, i);
         match finish(tokens, i).filter(|finish| is_plain(tokens, finish)) {
             Some(finish) => move_out(tokens, &finish),
             None => i += 1,
         }
+    }
+}
+
+/// "A black and white floor": the language has floors of one colour.
+fn two_colors(tokens: &mut Vec<Token>, i: usize) {
+    let color = |k: usize| get().look(word(tokens, k)) == Some(LookWord::Color);
+    let floor = matches!(word(tokens, i + 3), "floor" | "tiles" | "tiled" | "tile" | "chequered" | "checkered");
+    if color(i) && word(tokens, i + 1) == "and" && color(i + 2) && floor {
+        tokens.drain(i..i + 2);
     }
 }
 

@@ -10,11 +10,12 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 28] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 29] = [
         scattered,
         down_the_middle,
         on_plinths,
         on_tracks,
+        |tokens, i| reason(tokens, i),
         left_behind,
         which_is,
         all_but,
@@ -439,6 +440,17 @@ fn down_the_middle(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "No coffee table because of the dog": the reason is no thing of the room.
+fn reason(tokens: &mut [Token], i: usize) -> bool {
+    let because = matches!(word(tokens, i), "because" | "cause" | "cos" | "'cause") && word(tokens, i + 1) == "of";
+    let said = i > 0 && (because || word(tokens, i) == "due" && word(tokens, i + 1) == "to");
+    if said {
+        tokens[i].text = ",".to_owned();
+        tokens[i].kind = WordKind::Sign(',');
+    }
+    said
+}
+
 /// "Spotlights on tracks": track lights.
 fn on_tracks(tokens: &mut Vec<Token>, i: usize) -> bool {
     let lights = matches!(word(tokens, i), "spotlights" | "lights" | "spots" | "lamps");
@@ -712,6 +724,7 @@ mod tests {
             ),
             ("a plinth with a vase", "a plinth with a vase on it"),
             ("spotlights on tracks, a bench", "track lights , a bench"),
+            ("no rug because of the dog", "no rug , of the dog"),
             ("a path down the middle", "a path down the middle"),
             ("down the middle", "down the middle"),
             ("with mugs and plates left behind.", "with mugs and plates ."),

@@ -46,6 +46,8 @@ const PLACE: &str = "where a room is among the others is not read; doors connect
 /// Turns what is said so; what is left out, by its bytes.
 pub fn plain(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {
     within(tokens);
+    sized(tokens);
+    listed_with(tokens);
     labelled(tokens);
     named_later(tokens);
     placed(tokens)
@@ -103,14 +105,88 @@ fn within(tokens: &mut Vec<Token>) {
         if word(tokens, i) != "in" || !owned {
             return None;
         }
-        let place = (i + 2..i + 4).find(|k| PLACES.contains(&word(tokens, *k)))?;
-        let ends =
-            tokens.get(place + 1).is_none_or(|t| !t.word() || matches!(t.text.as_str(), "with" | "for" | "that"));
-        let named = (i.saturating_sub(LONGEST)..i).any(|from| room(tokens, from) == Some(i));
-        (ends && named).then_some(i..place + 1)
+        let spare = |k: usize| {
+            let is_spare = matches!(word(tokens, k), "spare" | "old" | "guest");
+            is_spare && matches!(word(tokens, k + 1), "bedroom" | "room" | "office")
+        };
+        let place = (i + 2..i + 4).find_map(|k| match PLACES.contains(&word(tokens, k)) {
+            true => Some(k),
+            false => spare(k).then_some(k + 1),
+        })?;
+        let after = word(tokens, place + 1);
+        let ends = tokens.get(place + 1).is_none_or(|t| !t.word()) || matches!(after, "with" | "for" | "that");
+        // "A wedding reception for 80 guests in a barn".
+        let before = (i.saturating_sub(4)..i).find(|k| word(tokens, *k) == "for").unwrap_or(i);
+        let named = (before.saturating_sub(LONGEST)..before).any(|from| room(tokens, from) == Some(before));
+        // "In a barn that is 40 feet by 70 feet": so large is the room.
+        let that = usize::from(after == "that" && tokens.get(place + 2).is_some_and(|t| !t.word()));
+        (ends && named).then_some(i..place + 1 + that)
     });
     if let Some(said) = said {
         tokens.drain(said);
+    }
+}
+
+/// "My living room is 14 by 18 ft, grey sofa": so large is the room, and not the sofa.
+fn sized(tokens: &mut [Token]) {
+    const ENDS: [&str; 6] = ["room", "kitchen", "office", "space", "it", "shop"];
+    let number = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let by = |k: usize| matches!(word(tokens, k), "by" | "x" | "×");
+    let comma = (1..tokens.len()).find_map(|i| {
+        let about = usize::from(matches!(word(tokens, i + 1), "about" | "around" | "roughly"));
+        let first = i + 1 + about;
+        let said = word(tokens, i) == "is" && ENDS.iter().any(|end| word(tokens, i - 1).ends_with(end));
+        // "14 ft by 18 ft", "14 by 18 ft".
+        let unit = usize::from(!by(first + 1));
+        let second = first + 2 + unit;
+        let sized = said && number(first) && by(first + 1 + unit) && number(second);
+        (sized && tokens.get(second + 2).is_some_and(|t| t.is(","))).then_some(second + 2)
+    });
+    if let Some(comma) = comma {
+        tokens[comma].text = ".".to_owned();
+        tokens[comma].kind = WordKind::Sign('.');
+    }
+}
+
+/// "Three rooms: a reception with a desk, an exam room with a table, and an office with two desks": the reception room has a desk.
+fn listed_with(tokens: &mut Vec<Token>) {
+    let Some((i, n)) = (0..tokens.len()).find_map(|i| Some((i, several(tokens, i)?))) else { return };
+    if !tokens.get(i + 2).is_some_and(|t| t.is(":")) {
+        return;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | '!'));
+    let end = tokens[i..].iter().position(stops).map_or(tokens.len(), |n| i + n);
+    // Where the rooms of the list begin: an article after the colon or a comma, a name of one to three words, "with".
+    let head = |k: usize| {
+        let and = usize::from(word(tokens, k) == "and");
+        let article = matches!(word(tokens, k + and), "a" | "an" | "one" | "the");
+        let with = (k + and + 2..k + and + 5).find(|k| word(tokens, *k) == "with")?;
+        let name = k + and + 1..with;
+        let is_room = room(tokens, name.start) == Some(with)
+            || matches!(word(tokens, with - 1), "reception" | "lobby" | "office" | "kitchen" | "room" | "area");
+        (article && is_room).then_some((k, name, with))
+    };
+    let heads: Vec<(usize, Range<usize>, usize)> =
+        (i + 3..end).filter(|k| tokens[k - 1].is(":") || tokens[k - 1].is(",")).filter_map(head).collect();
+    if heads.len() != n {
+        return;
+    }
+    for (from, name, with) in heads.into_iter().rev() {
+        let mut words: Vec<String> = name.map(|k| word(tokens, k).to_owned()).collect();
+        if words.last().is_some_and(|word| word == "reception") {
+            words.push("room".to_owned());
+        }
+        let words: Vec<&str> =
+            [".", "the"].into_iter().chain(words.iter().map(String::as_str)).chain(["has"]).collect();
+        put(tokens, from - 1, with + 1, &words);
+        tokens[from - 1].kind = WordKind::Sign('.');
+    }
+    // What they are rooms of is a building.
+    let begin = (0..i).rev().find(|k| starts(tokens, *k)).unwrap_or(0);
+    if tokens[begin..i].iter().all(Token::word) && i - begin <= 6 {
+        put(tokens, begin, i + 2, &["a", "building"]);
+    } else {
+        tokens.drain(i..i + 2);
     }
 }
 
@@ -321,6 +397,17 @@ mod tests {
             ("room 1: a bed. room 2: a lamp.", "room 1 : a bed . room 2 : a lamp ."),
             ("room 12: a bed.", "room 12 : a bed ."),
             ("woodworking shop in my garage, 6 m long", "woodworking shop , 6 m long"),
+            ("home music studio in a spare bedroom, 3 m long", "home music studio , 3 m long"),
+            ("my living room is 14 by 18 ft, grey sofa", "my living room is 14 by 18 ft . grey sofa"),
+            ("the room is 4 m by 5 m, a sofa", "the room is 4 m by 5 m . a sofa"),
+            ("the room is 4 by", "the room is 4 by"),
+            (
+                "a small clinic with three rooms: a reception with a desk and a chair, an exam room with a stool, and a nurses' office \
+                 with two desks. all doors are wide.",
+                "a building . the reception room has a desk and a chair . the exam room has a stool . the nurses' office has two \
+                 desks . all doors are wide .",
+            ),
+            ("a flat with two rooms: a", "a flat with two rooms : a"),
             ("a home gym in the basement with a bench", "a home gym with a bench"),
             ("a desk in my garage", "a desk in my garage"),
             ("a bedroom in the", "a bedroom in the"),

@@ -96,6 +96,17 @@ fn room_for(tokens: &mut Vec<Token>, i: usize) -> bool {
 fn to_get_through(tokens: &mut Vec<Token>, i: usize) -> bool {
     let leaves = usize::from(matches!(word(tokens, i), "leave" | "leaving" | "with"));
     let enough = i + leaves + usize::from(word(tokens, i + leaves) == "enough");
+    // "Enough room in the middle for a pram to get through".
+    let middle = enough + 1 + 3 * usize::from(word(tokens, enough + 1) == "in" && word(tokens, enough + 3) == "middle");
+    let whom = middle + 1 + usize::from(matches!(word(tokens, middle + 1), "a" | "the" | "my"));
+    let to = whom + 1;
+    let for_it = matches!(word(tokens, enough), "space" | "room") && word(tokens, middle) == "for";
+    let gets = word(tokens, to) == "to" && matches!(word(tokens, to + 1), "get" | "pass" | "come" | "go" | "move");
+    if for_it && WHEELED.contains(&word(tokens, whom)) && gets && THROUGH.contains(&word(tokens, to + 2)) {
+        put(tokens, i, to + 3, &["there", "are", "0.9", "m", "wide", "paths", "to", "everything"]);
+        tokens[i + 2].kind = WordKind::Number(WIDE);
+        return true;
+    }
     let space = matches!(word(tokens, enough), "space" | "room") && word(tokens, enough + 1) == "to";
     let moves = matches!(word(tokens, enough + 2), "get" | "push" | "wheel" | "move");
     let article = enough + 3 + usize::from(matches!(word(tokens, enough + 3), "a" | "the" | "my"));
@@ -140,6 +151,7 @@ mod tests {
                 "two rows of shelves with 0.9 m between them .".to_owned(),
             ),
             ("leave enough space to get a pram through to the toilets door", paths.to_owned()),
+            ("enough room in the middle for a pram to get through.", format!("{paths} .")),
             (
                 "a kitchen. the robot base is 60 cm wide so keep the floor free.",
                 "a kitchen . there are 60 cm wide paths to everything . keep the floor free .".to_owned(),

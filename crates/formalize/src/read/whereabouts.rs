@@ -19,6 +19,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || with_in_corner(tokens, i)
         || with_placed(tokens, i)
         || on_its_table(tokens, i)
+        || down_the_side(tokens, i)
 }
 
 /// "A stage at one end": at a wall. Which one is the end of a room depends on its size, which nobody has given.
@@ -205,6 +206,21 @@ fn with_placed(tokens: &mut [Token], i: usize) -> bool {
     true
 }
 
+/// "Shelves down the left side": along the left wall.
+fn down_the_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "down" | "along" | "all")
+        && word(tokens, i + 1) == "the"
+        && matches!(word(tokens, i + 2), "left" | "right")
+        && matches!(word(tokens, i + 3), "side" | "hand");
+    let end = i + 4 + usize::from(word(tokens, i + 3) == "hand" && word(tokens, i + 4) == "side");
+    if !said || word(tokens, end) == "of" || i == 0 {
+        return false;
+    }
+    let side = word(tokens, i + 2).to_owned();
+    put(tokens, i, end, &["along", "the", &side, "wall"]);
+    true
+}
+
 /// "A printer by the door": on a table there, since it does not stand on the floor.
 fn on_its_table(tokens: &mut Vec<Token>, i: usize) -> bool {
     const ON: [(&str, &[&str]); 6] = [
@@ -267,6 +283,8 @@ mod tests {
             ("a fish tank in the corner", "a fish tank on a cabinet in the corner"),
             ("a gas tank in the corner", "a gas tank in the corner"),
             ("a printer by", "a printer by"),
+            ("shelves down the left side, a till", "shelves along the left wall , a till"),
+            ("lamps along the left side of the bed", "lamps along the left side of the bed"),
             ("a hall with a stage at one end and chairs", "a hall with a stage against a wall and chairs"),
             ("one big table at the far end with eight chairs", "one big table at the back with eight chairs"),
             ("a sofa at one end and a desk at the other", "a sofa at one end and a desk at the other"),
