@@ -228,7 +228,7 @@ mod tests {
             ),
             (
                 "three plinths with sculptures in a row, one long bench and a desk",
-                "three plinths with sculptures in a row . there are one long bench and a desk",
+                "three plinths with sculptures on them in a row . there are one long bench and a desk",
             ),
             ("six desks with monitors, a lamp and a chair", "six desks with monitors , a lamp and a chair"),
             ("six desks with monitors and chairs, a sofa", "six desks with monitors and chairs , a sofa"),

@@ -720,7 +720,7 @@ mod tests {
             ("three long tables down the centre of the room", "three long tables in a row in the middle of the room"),
             (
                 "three plinths with busts down the centre line, a bench",
-                "three plinths in a row in the middle with busts on them , a bench",
+                "three plinths in a row in the middle with busts on them . there is a bench",
             ),
             ("a plinth with a vase", "a plinth with a vase on it"),
             ("spotlights on tracks, a bench", "track lights , a bench"),

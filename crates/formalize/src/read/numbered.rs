@@ -404,7 +404,7 @@ mod tests {
             (
                 "a small clinic with three rooms: a reception with a desk and a chair, an exam room with a stool, and a nurses' office \
                  with two desks. all doors are wide.",
-                "a building . the reception room has a desk and a chair . the exam room has a stool . the nurses' office has two \
+                "a building . the reception room has a desk and a chair . the exam room has a stool . the nurses office has two \
                  desks . all doors are wide .",
             ),
             ("a flat with two rooms: a", "a flat with two rooms : a"),
