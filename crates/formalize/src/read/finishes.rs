@@ -37,12 +37,12 @@ pub fn plain(tokens: &mut Vec<Token>) {
     }
 }
 
-/// "A black and white floor": the language has floors of one colour.
+/// "A black and white floor": the language has floors of one colour, and the other is told not to be used.
 fn two_colors(tokens: &mut Vec<Token>, i: usize) {
     let color = |k: usize| get().look(word(tokens, k)) == Some(LookWord::Color);
     let floor = matches!(word(tokens, i + 3), "floor" | "tiles" | "tiled" | "tile" | "chequered" | "checkered");
     if color(i) && word(tokens, i + 1) == "and" && color(i + 2) && floor {
-        tokens.drain(i..i + 2);
+        super::paraphrase::put(tokens, i, i + 2, &["two-tone"]);
     }
 }
 

@@ -33,6 +33,36 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || tires(tokens, i)
         || stools(tokens, i)
         || partners(tokens, i)
+        || at_counter(tokens, i)
+        || mirrored(tokens, i)
+}
+
+/// "Ten stools along a wooden counter": at it, on the side of the guests.
+fn at_counter(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "stools" | "chairs") && word(tokens, i + 1) == "along";
+    let article = matches!(word(tokens, i + 2), "a" | "the" | "one");
+    let counter = (i + 3..i + 7)
+        .take_while(|k| !word(tokens, *k).is_empty())
+        .any(|k| matches!(word(tokens, k), "counter" | "bar"));
+    if said && article && counter {
+        put(tokens, i + 1, i + 2, &["at"]);
+    }
+    said && article && counter
+}
+
+/// "A yoga studio with a mirror along one wall": mirrors all along it.
+fn mirrored(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const MOVES: [&str; 8] = ["yoga", "dance", "ballet", "pilates", "gym", "fitness", "aerobics", "dojo"];
+    let article = usize::from(matches!(word(tokens, i), "a" | "one"));
+    let mirror = i + article;
+    let along = matches!(word(tokens, mirror + 1), "along" | "covering" | "across");
+    let wall = (mirror + 2..mirror + 5).any(|k| word(tokens, k) == "wall");
+    let said = word(tokens, mirror) == "mirror" && along && wall;
+    if !said || !tokens.iter().any(|t| MOVES.contains(&t.text.as_str())) {
+        return false;
+    }
+    put(tokens, i, mirror + 2, &["mirrors", "along"]);
+    true
 }
 
 /// Other words for the same: "pallet racking" is racks, a telly a television, and what hangs up hangs on the wall.
@@ -203,6 +233,11 @@ mod tests {
             ("tyres stacked in the corner", "a tire stack in the corner"),
             ("a stack of winter tires", "a tire stack"),
             ("a bar with six stools", "a bar with six bar stools"),
+            ("ten chairs along a wooden counter", "ten chairs at a wooden counter"),
+            ("ten chairs along a wall", "ten chairs along a wall"),
+            ("a yoga studio, a mirror along one wall", "a yoga studio , mirrors along one wall"),
+            ("a bedroom, a mirror along one wall", "a bedroom , a mirror along one wall"),
+            ("a gym, a mirror along", "a gym , a mirror along"),
             ("three chairs, each in front of a mirror", "three chairs in front of 3 mirrors"),
             ("three sculptures on pedestals", "three sculptures on 3 pedestals"),
             ("ten books on shelves", "ten books on shelves"),

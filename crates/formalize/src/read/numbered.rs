@@ -42,15 +42,16 @@ const PLACES: [&str; 16] = [
 
 /// What is said of what is left out.
 const PLACE: &str = "where a room is among the others is not read; doors connect them";
+const AROUND: &str = "what the room is a part of is not read";
 
 /// Turns what is said so; what is left out, by its bytes.
 pub fn plain(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {
-    within(tokens);
+    let around = within(tokens).map(|at| (at, AROUND.to_owned()));
     sized(tokens);
     listed_with(tokens);
     labelled(tokens);
     named_later(tokens);
-    placed(tokens)
+    around.into_iter().chain(placed(tokens)).collect()
 }
 
 /// "The treatment room behind it has two tables", "the waiting room at the front has six chairs": the room has them.
@@ -97,8 +98,8 @@ fn several(tokens: &[Token], i: usize) -> Option<usize> {
     (is_number && matches!(word(tokens, i + 1), "rooms" | "spaces" | "areas")).then_some(n as usize)
 }
 
-/// "A woodworking shop in my garage": the shop is the garage.
-fn within(tokens: &mut Vec<Token>) {
+/// "A woodworking shop in my garage": one room. Where it is, in bytes.
+fn within(tokens: &mut Vec<Token>) -> Option<Range<usize>> {
     const HEAD: usize = 10;
     let said = (1..tokens.len().min(HEAD)).find_map(|i| {
         let owned = matches!(word(tokens, i + 1), "my" | "our" | "the" | "a" | "an" | "his" | "her" | "their");
@@ -121,10 +122,10 @@ fn within(tokens: &mut Vec<Token>) {
         // "In a barn that is 40 feet by 70 feet": so large is the room.
         let that = usize::from(after == "that" && tokens.get(place + 2).is_some_and(|t| !t.word()));
         (ends && named).then_some(i..place + 1 + that)
-    });
-    if let Some(said) = said {
-        tokens.drain(said);
-    }
+    })?;
+    let at = tokens[said.start].at.start..tokens[said.end - 1].at.end;
+    tokens.drain(said);
+    Some(at)
 }
 
 /// "My living room is 14 by 18 ft, grey sofa": so large is the room, and not the sofa.
@@ -223,10 +224,7 @@ fn labelled(tokens: &mut Vec<Token>) {
         .collect();
     of_all(tokens, parts.last().map_or(0, |part| part.end), &names);
     for (at, part) in parts.iter().enumerate().rev() {
-        let kind = found[at];
-        let nth = found[..at].iter().filter(|other| **other == kind).count();
-        let which: &[&str] = if alike(kind) > 1 { &ORDINALS[nth..=nth] } else { &[] };
-        let words: Vec<&str> = ["the"].iter().chain(which).copied().chain(kind.split(' ')).chain(["has"]).collect();
+        let words: Vec<&str> = ["the"].into_iter().chain(names[at].split(' ')).chain(["has"]).collect();
         put(tokens, part.label.start, part.label.end, &words);
     }
     // "Two bedrooms." Rooms of different kinds are named where their parts begin.
@@ -270,7 +268,7 @@ fn of_all(tokens: &mut Vec<Token>, from: usize, names: &[String]) {
     };
     let mut k = from;
     while k < tokens.len() {
-        let Some(verb) = subject(tokens, k).filter(|_| starts(tokens, k)) else {
+        let Some(verb) = subject(tokens, k).filter(|verb| starts(tokens, k) && *verb < tokens.len()) else {
             k += 1;
             continue;
         };
@@ -395,6 +393,7 @@ mod tests {
                 "2 bedrooms . the first bedroom has a bed . the second bedroom has a bed .",
             ),
             ("room 1: a bed. room 2: a lamp.", "room 1 : a bed . room 2 : a lamp ."),
+            ("room 1: a bed. room 2: a sofa. each of", "the bedroom has a bed . the living room has a sofa . each of"),
             ("room 12: a bed.", "room 12 : a bed ."),
             ("woodworking shop in my garage, 6 m long", "woodworking shop , 6 m long"),
             ("home music studio in a spare bedroom, 3 m long", "home music studio , 3 m long"),
