@@ -14,6 +14,8 @@ pub enum Scale {
 }
 
 const SMALL: [&str; 7] = ["small", "tiny", "little", "compact", "narrow", "mini", "cramped"];
+/// A cosy room is a small one, but for a child, whose toys need their floor.
+const COSY: [&str; 3] = ["cosy", "cozy", "snug"];
 const LARGE: [&str; 9] = ["large", "big", "spacious", "huge", "grand", "roomy", "generous", "vast", "airy"];
 /// How far before its name a room's adjectives are, in bytes.
 const BEFORE: usize = 40;
@@ -27,11 +29,12 @@ pub fn scale(brief: &Brief, room: usize) -> Scale {
         from += 1;
     }
     let phrase = text[from..].rsplit(['.', ',', ';', ':', '!', '\n']).next().unwrap_or("").to_lowercase();
+    let is_kids = super::kinds::of(&brief.rooms[room].name).is_some_and(|kind| kind.dress == "kids");
     // What stands before an article belongs to something else.
     let mut words = phrase.split(|c: char| !c.is_alphabetic()).rev().take_while(|w| !matches!(*w, "a" | "an" | "with"));
     words
         .find_map(|w| match w {
-            w if SMALL.contains(&w) => Some(Scale::Small),
+            w if SMALL.contains(&w) || COSY.contains(&w) && !is_kids => Some(Scale::Small),
             w if LARGE.contains(&w) => Some(Scale::Large),
             _ => None,
         })
