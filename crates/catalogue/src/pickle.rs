@@ -251,7 +251,7 @@ impl<'a> Machine<'a> {
                 self.push(Node::List(items))?;
             }
             b'd' => {
-                let items = pairs(self.marked()?)?;
+                let items = pairs(&self.marked()?)?;
                 self.push(Node::Dict(items))?;
             }
             b'a' | b'e' | b's' | b'u' => self.add(code)?,
@@ -308,7 +308,7 @@ impl<'a> Machine<'a> {
         let to = self.top()?;
         match (&mut self.nodes[to], code) {
             (Node::List(list), b'a' | b'e') => list.extend(items),
-            (Node::Dict(dict), b's' | b'u') => dict.extend(pairs(items)?),
+            (Node::Dict(dict), b's' | b'u') => dict.extend(pairs(&items)?),
             _ => return Err("it adds something to a value that is neither a list nor a dictionary".to_owned()),
         }
         Ok(())
@@ -419,7 +419,7 @@ fn early() -> String {
     "it has an instruction for a value that is not there".to_owned()
 }
 
-fn pairs(items: Vec<Id>) -> Result<Vec<(Id, Id)>, String> {
+fn pairs(items: &[Id]) -> Result<Vec<(Id, Id)>, String> {
     let whole = items.len().is_multiple_of(2);
     let pairs = items.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
     whole.then_some(pairs).ok_or_else(|| "it has a dictionary with a key without a value".to_owned())

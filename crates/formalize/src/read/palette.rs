@@ -128,7 +128,8 @@ fn listed(tokens: &mut Vec<Token>, i: usize) -> bool {
     let sentence = tokens[..i].iter().rposition(stops).map_or(0, |k| k + 1);
     let in_list = comma && all.len() > 1 && tokens[sentence..i].iter().any(|t| t.is(","));
     let ends = tokens.get(end).is_none_or(|t| matches!(t.kind, WordKind::Line | WordKind::Sign(_)));
-    if !ends && !(of_room && word(tokens, end) == "with") || !(of_room || in_list) {
+    let stands = ends || of_room && word(tokens, end) == "with";
+    if !stands || !(of_room || in_list) {
         return false;
     }
     let tones: Token = Token { text: "tones".to_owned(), ..tokens[end - 1].clone() };
