@@ -1,9 +1,9 @@
 //! Data in files of Python's `pickle`, protocols 2 to 5: numbers, texts, lists, dictionaries and arrays of NumPy.
 //!
-//! A pickle is a program for a stack machine that can call any Python function, so libraries that follow it are not meant for
-//! files from strangers. Here nothing is called: what a call would return is kept as the name of the function with its
-//! arguments, and only NumPy's arrays and numbers are interpreted. All values are in one list and refer to each other by
-//! their place in it, so shared values are never copied and deep nesting cannot exhaust the stack.
+//! A pickle is a program for a stack machine that can call any Python function. Here nothing is called: what a call would
+//! return is kept as the name of the function with its arguments, and only NumPy's arrays and numbers are interpreted. All
+//! values are in one list and refer to each other by their place in it, so shared values are never copied, and deep nesting
+//! cannot exhaust the stack.
 
 use crate::limits;
 use crate::npy::{Array, Kind};
