@@ -164,7 +164,11 @@ impl Found {
             return None;
         }
         let name = path.display().to_string();
-        let scene = embedded::read(&name, &path, kind, &Door::within(folder)).map_err(|finding| finding.message);
+        let scene = match embedded::read(&name, &path, kind, &Door::within(folder)) {
+            Ok(Embedded { unread: Some(why), .. }) => Err(why),
+            Ok(scene) => Ok(scene),
+            Err(finding) => Err(finding.message),
+        };
         let nothing = scene.is_err() && edited.is_empty();
         (!nothing).then_some(Self { path, name, edited, is_listed, scene })
     }

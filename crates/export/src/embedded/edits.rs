@@ -87,8 +87,9 @@ impl Edits {
         if let Some(parent) = &thing.parent {
             self.say(format!("`{name}` was made a child of `{parent}`; it is checked at its current position"));
         }
-        let Some(place) = &thing.place else {
-            return self.say(format!("`{name}` was sheared or mirrored; it is checked as it was exported"));
+        let place = match &thing.place {
+            Ok(place) => place,
+            Err(why) => return self.say(format!("`{name}` {why}; it is checked as it was exported")),
         };
         let Some((_, placement)) = self.layout.objects.iter_mut().find(|(n, _)| n == name) else { return };
         let said = changed(placement, place);
@@ -104,7 +105,7 @@ impl Edits {
             let turned = (place.axes - Matrix3::identity()).amax();
             place.pos.amax() <= SAME && turned <= SAME && (place.scale - Vec3::from_element(1.0)).amax() <= SAME
         };
-        if !thing.place.as_ref().is_some_and(stays) {
+        if !thing.place.as_ref().is_ok_and(stays) {
             let say =
                 format!("`{}`, a part of the building, was moved; rooms are checked as they were exported", thing.name);
             self.say(say);

@@ -11,6 +11,8 @@ use std::path::Path;
 
 /// Nodes that are deeper than this are not looked at.
 const DEEPEST: usize = 64;
+/// Entries of the transform of a whole scene that differ by less are as they were.
+const MOVED: f64 = 1e-6;
 /// At most so many nodes are looked at.
 const MOST: usize = 100_000;
 
@@ -27,10 +29,28 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     };
     let found = embedded(format!("{name}/layout.json"), path.join("layout.json"), layout, spec, &own["imports"]);
     let mut walk = Walk { nodes: &document["nodes"], seen: Vec::new(), left: MOST };
-    for node in indices(&scene["nodes"]) {
+    let (mut roots, mut moved) = (indices(&scene["nodes"]), None);
+    // Some tools put the whole scene below one more node. It may stand anywhere.
+    for _ in 0..DEEPEST {
+        let [only] = roots[..] else { break };
+        let node = &document["nodes"][only];
+        if !node.is_object() || node.get("mesh").is_some() || node["extras"]["scenelang"].is_object() {
+            break;
+        }
+        roots = indices(&node["children"]);
+        if (local(node) - Matrix4::identity()).amax() > MOVED {
+            moved = Some(node["name"].as_str().unwrap_or("its root").to_owned());
+        }
+    }
+    for node in roots {
         walk.node(node, &Matrix4::identity(), None, 0);
     }
-    Ok(found.updated(&walk.seen))
+    let mut found = found.updated(&walk.seen);
+    if let Some(root) = moved {
+        let message = format!("`{root}`, the node of the whole scene, was moved; objects are checked in relation to it");
+        found.changes.push(Diagnostic::without_place(codes::W0504, message));
+    }
+    Ok(found)
 }
 
 /// The first chunk of a GLB file: a header of 12 bytes, then length, kind and data of each chunk.
@@ -60,23 +80,31 @@ impl Walk<'_> {
         self.left -= 1;
         let here = above * local(node);
         let own = &node["extras"]["scenelang"];
-        let id = own["id"].as_str().map(str::to_owned);
         let name = node["name"].as_str().unwrap_or_default().to_owned();
+        let children = indices(&node["children"]);
+        // A tool may keep what was written into an object only in what the object is made of.
+        let made_of = !children.is_empty() && children.iter().all(|child| self.id(*child) == Some(&name));
+        let id = own["id"].as_str().map(str::to_owned).or_else(|| made_of.then(|| name.clone()));
         let is_building = own["part"].is_string();
         let is_object = id.is_some();
         let is_seen = node.get("mesh").is_some();
         if is_object || is_building || is_seen {
             let place = FramePose::of(&unmirrored(&here));
             let parent = parent.map(str::to_owned);
-            self.seen.push(Standing { id, name: name.clone(), parent, is_building, place });
+            self.seen.push(Standing { id: id.clone(), name: name.clone(), parent, is_building, place });
         }
-        // What hangs on one of our objects belongs to it.
-        for child in indices(&node["children"]) {
-            let belongs = is_object && self.nodes[child]["extras"]["scenelang"]["id"].is_null();
+        // What hangs on one of our objects belongs to it, also where a tool has repeated what was written into it.
+        for child in children {
+            let belongs = is_object && self.id(child).is_none_or(|of| Some(of) == id.as_deref());
             if !belongs {
                 self.node(child, &here, Some(&name), depth + 1);
             }
         }
+    }
+
+    /// The object that a node was exported as.
+    fn id(&self, node: usize) -> Option<&str> {
+        self.nodes[node]["extras"]["scenelang"]["id"].as_str()
     }
 }
 

@@ -48,6 +48,8 @@ pub struct Embedded {
     pub exported: String,
     /// What was changed, one warning for each thing.
     pub changes: Vec<Diagnostic>,
+    /// Why it is not known how the scene stands now, where it is not: then the layout is the embedded one.
+    pub unread: Option<String>,
     files: BTreeMap<PathBuf, String>,
 }
 
@@ -67,6 +69,14 @@ impl Embedded {
         if let Some(layout) = edited.layout {
             self.layout = layout;
         }
+        self
+    }
+
+    /// Says that it is not known how the scene stands now.
+    fn unread(mut self, why: String) -> Self {
+        let message = format!("{why}, so the embedded layout is checked");
+        self.changes.push(Diagnostic::without_place(codes::W0504, message));
+        self.unread = Some(why);
         self
     }
 }
@@ -89,7 +99,7 @@ pub fn carrier(path: &Path) -> Option<Carrier> {
     let extension = path.extension()?.to_string_lossy().to_ascii_lowercase();
     match extension.as_str() {
         "glb" => Some(Carrier::Glb),
-        "usda" | "usdz" | "usd" => Some(Carrier::Usd),
+        "usda" | "usdc" | "usdz" | "usd" => Some(Carrier::Usd),
         _ => None,
     }
 }
@@ -124,5 +134,5 @@ fn embedded(layout_name: String, layout_path: PathBuf, layout: &str, spec: &str,
         texts.filter_map(|(path, text)| Some((normal(&beside.join(path)), text.as_str()?.to_owned()))).collect();
     files.insert(main.clone(), spec.to_owned());
     let layout = layout.to_owned();
-    Embedded { layout_name, layout_path, main, exported: layout.clone(), layout, changes: Vec::new(), files }
+    Embedded { layout_name, layout_path, main, exported: layout.clone(), layout, changes: Vec::new(), unread: None, files }
 }

@@ -5,7 +5,7 @@
 //! that Unity gives it, which is made of that of the instance and its own; documents that only stand for one (`stripped`) lead
 //! there. What cannot be read of a prefab (a model file, one that is missing) is known by the changes alone.
 
-use super::documents::{UnityDocument, documents, entries, member};
+use super::documents::{Node, UnityDocument, documents};
 use super::unity::{GAME_OBJECT, MESH_FILTER, MONO_BEHAVIOUR, TRANSFORM};
 use scenelang_lang::sources::Loader;
 use scenelang_layout::file::decode;
@@ -182,7 +182,7 @@ impl Expanded {
             document.anchor = within(document.anchor);
             document.refer(within);
             if is_root {
-                document.set("m_Father", &format!("{{fileID: {}}}", instance.parent));
+                document.refer_to("m_Father", instance.parent);
                 self.foreign.extend(document.reference("m_GameObject").filter(|_| !is_ours));
             }
         }
@@ -211,31 +211,23 @@ impl Expanded {
 
 impl Instance {
     fn of(document: &UnityDocument) -> Self {
-        let mut out = Self { anchor: document.anchor, ..Self::default() };
-        let id = |value: &str| member(value, "fileID").and_then(|id| id.parse().ok()).unwrap_or_default();
-        let mut section = String::new();
-        for (begins, key, value) in entries(&document.lines) {
-            match key.as_str() {
-                "m_TransformParent" => out.parent = id(&value),
-                "m_SourcePrefab" => out.guid = member(&value, "guid").map(str::to_owned),
-                "" if section.starts_with("m_Removed") => out.removed.push(id(&value)),
-                _ if key.starts_with("m_") => section = key,
-                _ if section == "m_Modifications" => {
-                    if begins {
-                        out.changes.push(Change::default());
-                    }
-                    let Some(change) = out.changes.last_mut() else { continue };
-                    match key.as_str() {
-                        "target" => change.target = id(&value),
-                        "propertyPath" => change.path = value.trim_matches(['"', '\'']).to_owned(),
-                        "value" => change.value = value,
-                        _ => {}
-                    }
-                }
-                _ => {}
-            }
+        let id = |node: Option<&Node>| node.and_then(Node::reference).unwrap_or_default();
+        let text = |node: &Node, key: &str| node.get(key).and_then(Node::text).unwrap_or_default().to_owned();
+        let change = |node: &Node| Change {
+            target: id(node.get("target")),
+            path: text(node, "propertyPath"),
+            value: text(node, "value"),
+        };
+        let said = |key: &str| document.field("m_Modification").and_then(|node| node.get(key));
+        let list = |key: &str| said(key).map(Node::items).unwrap_or_default();
+        let removed = ["m_RemovedComponents", "m_RemovedGameObjects"];
+        Self {
+            anchor: document.anchor,
+            guid: document.field("m_SourcePrefab").map(|node| text(node, "guid")),
+            parent: id(said("m_TransformParent")),
+            changes: list("m_Modifications").iter().map(change).collect(),
+            removed: removed.into_iter().flat_map(list).map(|node| id(Some(node))).collect(),
         }
-        out
     }
 
     /// What is known of the prefab by the changes alone: one game object, whose transform is the first that is placed.
@@ -243,7 +235,6 @@ impl Instance {
         let target = |path: &str| self.changes.iter().find(|c| c.path.starts_with(path)).map(|c| c.target);
         // No anchor of a file is so small.
         let object = target("m_Name").unwrap_or(i64::MIN);
-        let owner = format!("{{fileID: {object}}}");
         let mut all = vec![UnityDocument::new(GAME_OBJECT, object)];
         all[0].set("m_Name", "an instance of a prefab");
         let placed = target("m_LocalPosition.").unwrap_or(i64::MIN + 1);
@@ -252,7 +243,7 @@ impl Instance {
         for (class, anchor) in components {
             let Some(anchor) = anchor else { continue };
             let mut component = UnityDocument::new(class, anchor);
-            component.set("m_GameObject", &owner);
+            component.refer_to("m_GameObject", object);
             all.push(component);
         }
         Expanded { documents: all, ..Expanded::default() }

@@ -17,8 +17,8 @@ pub(super) struct Standing {
     pub parent: Option<String>,
     /// Whether it is a piece of the building.
     pub is_building: bool,
-    /// Its frame; `None`: that is sheared, or no number.
-    pub place: Option<FramePose>,
+    /// Its frame, or what is said of a thing without one: "was sheared".
+    pub place: Result<FramePose, &'static str>,
 }
 
 /// Where a frame is.
@@ -32,17 +32,24 @@ pub(super) struct FramePose {
     pub scale: Vec3,
 }
 
+/// What is said of a thing whose transform holds no numbers.
+pub(super) const UNREADABLE: &str = "has a transform that cannot be read";
+const SHEARED: &str = "was sheared or mirrored";
+
 impl FramePose {
     /// Of a transform that may move, turn and scale, but not shear or mirror.
-    pub fn of(transform: &Matrix4<f64>) -> Option<Self> {
+    pub fn of(transform: &Matrix4<f64>) -> Result<Self, &'static str> {
+        if !transform.iter().all(|v| v.is_finite()) {
+            return Err(UNREADABLE);
+        }
         let linear: Matrix3<f64> = transform.fixed_view::<3, 3>(0, 0).into();
         let scale = Vec3::new(linear.column(0).norm(), linear.column(1).norm(), linear.column(2).norm());
-        if !transform.iter().all(|v| v.is_finite()) || scale.min() < SQUARE || linear.determinant() <= 0.0 {
-            return None;
+        if scale.min() < SQUARE || linear.determinant() <= 0.0 {
+            return Err(SHEARED);
         }
         let axes = linear * Matrix3::from_diagonal(&scale.map(|s| 1.0 / s));
         let is_square = (axes.transpose() * axes - Matrix3::identity()).amax() < SQUARE;
-        is_square.then(|| Self { pos: transform.fixed_view::<3, 1>(0, 3).into(), axes, scale })
+        is_square.then(|| Self { pos: transform.fixed_view::<3, 1>(0, 3).into(), axes, scale }).ok_or(SHEARED)
     }
 }
 

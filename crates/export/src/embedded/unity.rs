@@ -3,10 +3,10 @@
 
 use super::documents::{UnityDocument, documents};
 use super::prefab::{Expanded, Prefabs};
-use super::stand::{FramePose, Standing, transform};
+use super::stand::{FramePose, Standing, UNREADABLE, transform};
 use super::{Embedded, embedded, nothing};
 use nalgebra::Matrix4;
-use scenelang_base::Diagnostic;
+use scenelang_base::{Diagnostic, codes};
 use scenelang_lang::sources::Loader;
 use scenelang_layout::file::decode;
 use sha2::{Digest, Sha256};
@@ -22,6 +22,11 @@ const BUILDING: &str = "Building";
 const OBJECTS: &str = "Objects";
 /// Game objects that are deeper than this are not looked at.
 const DEEPEST: usize = 64;
+/// So many files of a project are asked whether they are a scene, and so many scenes are read that no list has.
+const MOST_FILES: usize = 100_000;
+const MOST_SCENES: usize = 64;
+/// What our script at the root of a scene calls the sum of its layout.
+const LAYOUT_SUM: &str = "layoutSha256";
 
 /// Reads a project.
 pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
@@ -34,15 +39,53 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     let imports = own("imports.json")?.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
     let file = "Assets/Scenelang/layout.json";
     let found = embedded(format!("{name}/{file}"), path.join(file), &layout, &spec, &imports);
-    for scene in scenes(&text("ProjectSettings/EditorBuildSettings.asset")?.unwrap_or_default()) {
-        let Some(text) = text(&scene)? else { continue };
+    let mut scenes = scenes(&text("ProjectSettings/EditorBuildSettings.asset")?.unwrap_or_default());
+    let listed = scenes.len();
+    // A scene that was renamed, or saved under another name, is in no list.
+    let more: Vec<String> = below(path).into_iter().filter(|scene| !scenes.contains(scene)).collect();
+    scenes.extend(more);
+    let mut own = Vec::new();
+    for (i, scene) in scenes.into_iter().enumerate() {
+        // In a listed one our script may also be in a prefab.
+        let Some(text) = text(&scene)?.filter(|text| i < listed || text.contains(LAYOUT_SUM)) else { continue };
         let things = Things::new(Prefabs::new(path, loader).expand(documents(&text)));
-        // Whoever has edited the layout itself wants that judged.
-        if let Some(standing) = things.standing().filter(|_| things.layout_sum() == Some(sum(&layout))) {
-            return Ok(found.updated(&standing));
+        if let (Some(standing), Some(of)) = (things.standing(), things.layout_sum()) {
+            own.push((scene, standing, of));
         }
     }
-    Ok(found)
+    let Some((scene, standing, _)) = own.iter().find(|(.., of)| *of == sum(&layout)) else {
+        // Whoever has edited the layout itself wants that judged.
+        let why = format!("none of the scenes of {name} has the object with the script that scenelang writes");
+        return Ok(if own.is_empty() { found.unread(why) } else { found });
+    };
+    let mut updated = found.clone().updated(standing);
+    for (other, standing, _) in own.iter().filter(|(other, ..)| other != scene) {
+        if !found.clone().updated(standing).changes.is_empty() {
+            let message = format!("`{other}` is another scene of this layout, and was edited; `{scene}` is checked");
+            updated.changes.push(Diagnostic::without_place(codes::W0504, message));
+        }
+    }
+    Ok(updated)
+}
+
+/// The scenes below the assets of a project, by name. Links are not followed.
+fn below(project: &Path) -> Vec<String> {
+    let mut folders = vec![project.join("Assets")];
+    let (mut found, mut seen) = (Vec::new(), 0);
+    while let Some(folder) = folders.pop() {
+        let entries = folder.read_dir().into_iter().flatten().flatten().take(MOST_FILES - seen);
+        for entry in entries.inspect(|_| seen += 1) {
+            let path = entry.path();
+            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "unity") {
+                found.extend(path.strip_prefix(project).ok().and_then(Path::to_str).map(|path| path.replace('\\', "/")));
+            }
+        }
+    }
+    found.sort();
+    found.truncate(MOST_SCENES);
+    found
 }
 
 /// The scenes that a project is built of.
@@ -77,12 +120,12 @@ impl Things {
 
     /// The script of a scene of ours.
     fn root(&self) -> Option<&UnityDocument> {
-        self.all.iter().find(|d| d.class == MONO_BEHAVIOUR && d.text("layoutSha256").is_some())
+        self.all.iter().find(|d| d.class == MONO_BEHAVIOUR && d.text(LAYOUT_SUM).is_some())
     }
 
     /// The sum of the layout that the scene was written with.
     fn layout_sum(&self) -> Option<String> {
-        self.root()?.text("layoutSha256")
+        self.root()?.text(LAYOUT_SUM)
     }
 
     fn get(&self, anchor: i64) -> Option<&UnityDocument> {
@@ -131,7 +174,7 @@ impl Things {
                 name: own,
                 parent: father.cloned().or_else(|| lost.then(|| "the scene".to_owned())),
                 is_building,
-                place: self.within(&self.all[transform], root).and_then(|m| FramePose::of(&m)),
+                place: self.within(&self.all[transform], root).ok_or(UNREADABLE).and_then(|m| FramePose::of(&m)),
             });
         }
         Some(out)

@@ -1,7 +1,7 @@
 //! The scene in a USD layer or package: program and layout in `customLayerData`, objects by what was written into their
 //! prims, or by their label where a tool has dropped that. Poses are those in relation to the root of the scene.
 
-use super::stand::{FramePose, Standing, transform};
+use super::stand::{FramePose, Standing, UNREADABLE, transform};
 use super::usda::{Prim, UsdValue, parse};
 use super::{Embedded, embedded, nothing};
 use nalgebra::{Matrix3, Matrix4, Rotation3};
@@ -12,7 +12,7 @@ use scenelang_layout::file::decode;
 use serde_json::Value;
 #[cfg(not(target_family = "wasm"))]
 use std::io::{Cursor, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Prims that are deeper than this are not looked at.
 const DEEPEST: usize = 64;
@@ -22,17 +22,12 @@ const MOST: u64 = 64 << 20;
 /// What a prim can be that one sees.
 const SEEN: [&str; 7] = ["Xform", "Mesh", "Cube", "Sphere", "Cylinder", "Cone", "Capsule"];
 
+/// Layers of layers that are deeper than this are not read, and no more than so many in all.
+const MOST_LAYERS: usize = 16;
+
 /// Reads a layer, or the first one of a package.
 pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embedded, Box<Diagnostic>> {
-    let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
-    let layer = if bytes.starts_with(b"PK") { unpacked(name, &bytes)? } else { bytes };
-    if layer.starts_with(b"PXR-USDC") {
-        let found = nothing(format!("{name} is a binary USD layer, which is not supported"));
-        return Err(Box::new(found.note("save it as text instead, with the extension .usda")));
-    }
-    let text = decode(layer)?;
-    let root = parse(&text)
-        .map_err(|broken| nothing(format!("{name} cannot be read as USD: line {}: {}", broken.line, broken.say)))?;
+    let root = composed(name, path, loader, &mut vec![path.to_path_buf()])?;
     let own = root.metadata.get("customLayerData").and_then(|data| data.get("scenelang"));
     let said = |key: &str| own?.get(key)?.text();
     let (Some(spec), Some(layout)) = (said("spec"), said("layout")) else {
@@ -56,6 +51,39 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
         }
     }
     Ok(found.updated(&seen))
+}
+
+/// A layer with its sublayers. `seen`: the layers that are read already.
+fn composed(
+    name: &str,
+    path: &Path,
+    loader: &dyn Loader,
+    seen: &mut Vec<PathBuf>,
+) -> Result<Prim, Box<Diagnostic>> {
+    let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
+    let layer = if bytes.starts_with(b"PK") { unpacked(name, &bytes)? } else { bytes };
+    if layer.starts_with(b"PXR-USDC") {
+        let found = nothing(format!("{name} is a binary USD layer, which is not supported"));
+        return Err(Box::new(found.note("save it as text instead, with the extension .usda")));
+    }
+    let text = decode(layer)?;
+    let mut root = parse(&text)
+        .map_err(|broken| nothing(format!("{name} cannot be read as USD: line {}: {}", broken.line, broken.say)))?;
+    let below = root.metadata.get("subLayers").map(UsdValue::texts).unwrap_or_default();
+    let below: Vec<String> = below.into_iter().map(str::to_owned).collect();
+    for layer in below {
+        let path = path.parent().unwrap_or(Path::new("")).join(&layer);
+        // A layer below itself adds nothing.
+        if seen.contains(&path) {
+            continue;
+        }
+        if seen.len() == MOST_LAYERS {
+            return Err(nothing(format!("{name} has more than {MOST_LAYERS} layers")));
+        }
+        seen.push(path.clone());
+        root.add_weaker(composed(&format!("{layer}, a sublayer of {name},"), &path, loader, seen)?);
+    }
+    Ok(root)
 }
 
 /// The first file of a package, which is its layer.
@@ -105,7 +133,7 @@ fn walk(prim: &Prim, above: Option<Matrix4<f64>>, names: &[&str], seen: &mut Vec
         let lost = id.is_some() && names.is_empty();
         let parent = father.map(str::to_owned).or_else(|| lost.then(|| "the scene".to_owned()));
         let parent = parent.filter(|_| id.is_some());
-        let place = here.and_then(|m| FramePose::of(&unmirrored(&m)));
+        let place = here.ok_or(UNREADABLE).and_then(|m| FramePose::of(&unmirrored(&m)));
         seen.push(Standing { id: id.clone(), name, parent, is_building, place });
     }
     let below: Vec<&str> = names.iter().copied().chain([prim.name.as_str()]).collect();

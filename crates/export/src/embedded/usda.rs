@@ -75,6 +75,28 @@ impl Prim {
     pub fn own(&self, key: &str) -> Option<&str> {
         self.metadata.get("customData")?.get("scenelang")?.get(key)?.text()
     }
+
+    /// Adds what a weaker layer says of the same prim: where both say something, this one counts.
+    pub fn add_weaker(&mut self, weaker: Self) {
+        if self.kind.is_empty() {
+            self.kind = weaker.kind;
+        }
+        self.is_class |= weaker.is_class;
+        for (key, value) in weaker.metadata {
+            self.metadata.entry(key).or_insert(value);
+        }
+        for (key, value) in weaker.values {
+            self.values.entry(key).or_insert(value);
+        }
+        let at: BTreeMap<String, usize> =
+            self.children.iter().enumerate().map(|(i, child)| (child.name.clone(), i)).collect();
+        for child in weaker.children {
+            match at.get(&child.name) {
+                Some(&i) => self.children[i].add_weaker(child),
+                None => self.children.push(child),
+            }
+        }
+    }
 }
 
 /// What is wrong with a text, and in which line.

@@ -1,7 +1,7 @@
 //! Scenes read back from GLB files and Unity projects: as they were where nobody changed them, else with what was changed and
 //! nothing else. Edits of Unity projects are in [`crate::edited`].
 
-use crate::fixture::parts;
+use crate::fixture::{parts, written};
 use crate::project::Project;
 use proptest::prelude::*;
 use scenelang_base::FileId;
@@ -9,7 +9,6 @@ use scenelang_base::door::Door;
 use scenelang_export::embedded::{self, Carrier, Embedded};
 use scenelang_export::glb::Glb;
 use scenelang_export::unity::Unity;
-use scenelang_export::{Exporter, Scene, SceneInput};
 use scenelang_layout::{Layout, Vec3, file, rotation};
 use serde_json::{Value, json};
 use std::fs;
@@ -23,22 +22,7 @@ pub struct Written {
 impl Written {
     /// The scene of the fixture with another layout.
     pub fn new(layout: &Layout) -> Self {
-        let (parts, text) = (parts(), file::to_json(layout, None));
-        let scene = Scene::build(&SceneInput {
-            name: "room",
-            program: &parts.program,
-            sources: &parts.sources,
-            files: &[parts.main],
-            layout,
-            layout_text: &text,
-            report: &parts.report,
-        });
-        let (scene, folder) = (scene.unwrap(), tempfile::tempdir().unwrap());
-        for out in Glb.files(&scene).unwrap().into_iter().chain(Unity::default().files(&scene).unwrap()) {
-            let path = folder.path().join(out.path);
-            fs::create_dir_all(path.parent().unwrap()).unwrap();
-            fs::write(path, out.bytes).unwrap();
-        }
+        let (folder, text) = written(layout, &[&Glb, &Unity::default()]);
         Self { folder, text }
     }
 
@@ -98,9 +82,9 @@ fn triple() -> impl Strategy<Value = [f64; 3]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(ProptestConfig::with_cases(200))]
 
-    /// Two hundred files: a hundred layouts, each as a GLB file and as a Unity project.
+    /// Two hundred layouts, each as a GLB file and as a Unity project.
     #[test]
     fn what_nobody_changed_comes_back_and_what_moved_is_what_differs(
         poses in prop::collection::vec((triple(), [0.0..360.0, 0.0..360.0, 0.0..360.0]), 8),
@@ -208,6 +192,36 @@ fn each_change_is_reported_by_name() {
         wall.unwrap()["translation"] = json!([0, 0, 1]);
     });
     assert!(said.len() == 1 && said[0].contains("a part of the building, was moved"), "{said:?}");
+}
+
+/// Tools put the whole scene below a node, and repeat what was written into an object in what it is made of.
+#[test]
+fn what_tools_add_around_and_below_objects_is_no_edit() {
+    let below_root = |d: &mut Value, at: Value| {
+        let roots = d["scenes"][0]["nodes"].take();
+        let nodes = d["nodes"].as_array_mut().unwrap();
+        nodes.push(json!({ "name": "Root", "children": roots, "translation": at }));
+        let root = nodes.len() - 1;
+        d["scenes"][0]["nodes"] = json!([root]);
+    };
+    let wrapped = |at: Value| after(|d| below_root(d, at));
+    assert_eq!(wrapped(json!([0, 0, 0])), (Vec::new(), parts().layout));
+    let (said, now) = wrapped(json!([0, 0, 5]));
+    assert_eq!(said, ["`Root`, the node of the whole scene, was moved; objects are checked in relation to it"]);
+    assert_eq!(now, parts().layout);
+    let (said, now) = after(|d| {
+        let nodes = d["nodes"].as_array_mut().unwrap();
+        for at in 0..nodes.len() {
+            let mut made_of = nodes[at].clone();
+            made_of["name"] = json!("geometry");
+            made_of["translation"] = json!([0, 0, 0]);
+            made_of.as_object_mut().unwrap().remove("children");
+            nodes.push(made_of);
+            nodes[at]["children"] = json!([nodes.len() - 1]);
+            nodes[at].as_object_mut().unwrap().remove("mesh");
+        }
+    });
+    assert_eq!((said, now), (Vec::new(), parts().layout));
 }
 
 #[test]

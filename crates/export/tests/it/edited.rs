@@ -322,3 +322,66 @@ fn whoever_edits_the_layout_itself_wants_that_judged() {
     let found = written.read(Carrier::Unity);
     assert_eq!((found.layout, found.changes.len()), (edited, 0));
 }
+
+/// A scene that was saved under another name, or taken out of the list of scenes, is judged as it stands now.
+#[test]
+fn a_scene_is_found_by_what_it_holds() {
+    const ROOM: &str = "Assets/Scenes/room.unity";
+    const OTHER: &str = "Assets/Mine/other room.unity";
+    let save_as = |project: &Project| {
+        fs::create_dir_all(project.file("Assets/Mine")).unwrap();
+        fs::copy(project.file(ROOM), project.file(OTHER)).unwrap();
+    };
+    let moved = "`table` was moved by +1.000 m along x";
+    let put = |scene: &mut Text| scene.put("table", [1.0, 0.0, 0.0], UPRIGHT);
+    let (said, now) = after_all(|project| {
+        save_as(project);
+        fs::remove_file(project.file(ROOM)).unwrap();
+        project.change(OTHER, put);
+    });
+    assert_eq!((said.as_str(), now.object("table").unwrap().pos.x), (moved, 1.0));
+    let unlisted = |project: &Project| {
+        let settings = project.file("ProjectSettings/EditorBuildSettings.asset");
+        fs::write(settings, "--- !u!1045 &1\nEditorBuildSettings:\n  m_Scenes: []\n").unwrap();
+    };
+    let (said, _) = after_all(|project| {
+        unlisted(project);
+        project.edit(put);
+    });
+    assert_eq!(said, moved);
+    // Of two scenes the listed one is checked, and the other one is no secret.
+    let (said, now) = after_all(|project| {
+        save_as(project);
+        project.change(OTHER, put);
+    });
+    assert_eq!(said, format!("`{OTHER}` is another scene of this layout, and was edited; `{ROOM}` is checked"));
+    assert_eq!(now, parts().layout);
+    assert_eq!(after_all(save_as).0, "");
+}
+
+#[test]
+fn a_project_whose_scene_is_not_ours_any_more_is_not_judged_in_silence() {
+    let gone: [fn(&Project); 3] = [
+        |project| fs::remove_file(project.file("Assets/Scenes/room.unity")).unwrap(),
+        |project| project.edit(|scene| scene.0 = scene.0.replace("layoutSha256", "sum")),
+        |project| project.edit(|scene| scene.0.clear()),
+    ];
+    for gone in gone {
+        let (said, now) = after_all(gone);
+        assert_eq!(
+            said,
+            "none of the scenes of it has the object with the script that scenelang writes, so the embedded layout is checked"
+        );
+        assert_eq!(now, parts().layout);
+    }
+}
+
+#[test]
+fn a_transform_that_cannot_be_read_is_told() {
+    let (said, now) = after(|scene| {
+        let transform = scene.transform("table");
+        scene.line(&transform, "m_LocalPosition:", "m_LocalPosition: {x: over there, y: 0, z: 0}");
+    });
+    assert_eq!(said, "`table` has a transform that cannot be read; it is checked as it was exported");
+    assert_eq!(now, parts().layout);
+}

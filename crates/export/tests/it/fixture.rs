@@ -2,12 +2,14 @@
 
 use scenelang_assets::{AssetRequest, furnish};
 use scenelang_base::{FileId, SourceMap};
-use scenelang_export::{BuildError, Scene, SceneInput};
+use scenelang_export::{BuildError, Exporter, Scene, SceneInput};
 use scenelang_lang::program::Program;
 use scenelang_lang::{Options, compile_text};
 use scenelang_layout::{Layout, file};
 use serde_json::{Value, json};
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 const PROGRAM: &str = r##"
 region hall; hall.wallColor <- "white"; hall.floorMaterial <- "oak";
@@ -118,4 +120,40 @@ impl Parts {
 
 pub fn scene() -> Scene {
     parts().build().unwrap()
+}
+
+/// The scene of the fixture with another layout, as files in a folder of its own, and the text of the layout.
+pub fn written(layout: &Layout, exporters: &[&dyn Exporter]) -> (tempfile::TempDir, String) {
+    let (parts, text) = (parts(), file::to_json(layout, None));
+    let scene = Scene::build(&SceneInput {
+        name: "room",
+        program: &parts.program,
+        sources: &parts.sources,
+        files: &[parts.main],
+        layout,
+        layout_text: &text,
+        report: &parts.report,
+    });
+    let (scene, folder) = (scene.unwrap(), tempfile::tempdir().unwrap());
+    for out in exporters.iter().flat_map(|exporter| exporter.files(&scene).unwrap()) {
+        let path = folder.path().join(out.path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, out.bytes).unwrap();
+    }
+    (folder, text)
+}
+
+/// The Python that has a module; `None`, which is said: there is none, so a test is skipped. In CI there must be one.
+pub fn python_with(module: &str) -> Option<PathBuf> {
+    let own = [".venv/bin/python", "../../.venv/bin/python"].map(PathBuf::from).into_iter().find(|path| path.exists());
+    let has = |python: &PathBuf| {
+        let import = format!("import {module}");
+        Command::new(python).args(["-c", &import]).output().is_ok_and(|output| output.status.success())
+    };
+    let found = own.filter(has);
+    if found.is_none() {
+        assert!(std::env::var_os("CI").is_none(), "CI has {module}");
+        eprintln!("skipped: {module} is not installed");
+    }
+    found
 }

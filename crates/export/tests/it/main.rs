@@ -9,6 +9,7 @@ mod live;
 mod pictures;
 mod project;
 mod report;
+mod rewritten;
 mod scene;
 mod scripts;
 mod simulators;
