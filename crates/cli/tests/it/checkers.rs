@@ -8,6 +8,7 @@ use scenelang_lang::{Options, Program, compile_file};
 use scenelang_layout::{Layout, file};
 use scenelang_verify::{World, opening};
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -87,14 +88,49 @@ fn simulators(out: &Path, name: &str, python: &Path, program: &Program) -> Vec<S
     };
     [
         judge("MuJoCo", call("mjcf.py").args([&mjcf, &told])),
-        judge("joints", call("driven.py").args([&mjcf, &layout, &claims])),
+        judge("joints, driven", call("driven.py").args([&mjcf, &layout, &claims])),
         judge("USD", call("usd.py").args([usd, usdz])),
-        judge("SDF", call("sdf.py").arg(world)),
+        judge("SDF", call("sdf.py").arg(&world)),
         judge("bounds", call("bounds.py").args([&layout, out])),
     ]
     .into_iter()
     .flatten()
+    .chain(joints(out, name, python, &placed, &world))
     .collect()
+}
+
+/// The joints in every format that has them, against the layout. A GLB file has them on demand; a URDF file is one object, so
+/// there is one for each kind of thing that opens.
+fn joints(out: &Path, name: &str, python: &Path, placed: &Layout, sdf: &Path) -> Vec<String> {
+    let layout = out.join(format!("{name}.layout.json"));
+    let export = |to: &str, more: &[&str]| {
+        let layout = layout.display().to_string();
+        let ended = scenelang(out, ["export", &layout, "-o", to].iter().chain(more));
+        assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+        out.join(to)
+    };
+    let rigid = export("rigid", &["--only", "glb", "--gltf-physics"]).join(format!("{name}.glb"));
+    let open = placed.objects.iter().filter(|(_, placement)| !placement.joints.is_empty());
+    let kinds: BTreeMap<&str, &str> = open.map(|(name, _)| (name.split('[').next().unwrap_or(name), &**name)).collect();
+    let mut robots = Vec::new();
+    for (i, object) in kinds.values().enumerate() {
+        let folder = export(&format!("robot{i}"), &["--object", object]).join("urdf");
+        let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        robots.extend(files.filter(|file| file.extension().is_some_and(|end| end == "urdf")));
+    }
+    let mut command = Command::new(python);
+    command.arg(oracle("joints.py")).arg(&layout);
+    command.args(["usda", "usdz", "mjcf.xml"].map(|end| out.join(format!("{name}.{end}"))));
+    command.arg(sdf).args([rigid, out.join("unity")]).args(&robots);
+    let mut found: Vec<String> = judge("joints in all formats", &mut command).into_iter().collect();
+    for robot in &robots {
+        if Command::new("check_urdf").arg("--help").output().is_err() {
+            skip("URDF not read by check_urdf: it is not installed");
+            break;
+        }
+        found.extend(judge("check_urdf", Command::new("check_urdf").arg(robot)));
+    }
+    found
 }
 
 /// The GLB file, validated.

@@ -137,34 +137,27 @@ struct Welded {
 }
 
 impl Welded {
-    /// The meshes of a group: as few as there can be where solids that touch are in different ones.
+    /// The meshes of a group: as few as there can be where pieces that touch are in different ones.
     fn of(group: &MeshGroup) -> Vec<Self> {
-        let mut out: Vec<Self> = Vec::new();
-        // Solids come one after the other; one has ended when every edge was run both ways.
-        let mut solid = Self::default();
-        let mut open: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+        let mut all = Self::default();
+        let mut faces = Vec::new();
         for t in group.indices.chunks_exact(3) {
-            let corners = [t[0], t[2], t[1]].map(|i| i as usize).map(|i| {
-                let point = solid.point(FRAME.corner(group.positions[i]));
-                Corner { point, normal: FRAME.corner(group.normals[i]), uv: group.uvs[i] }
-            });
-            let [a, b, c] = corners.each_ref().map(|corner| corner.point);
-            if a == b || b == c || c == a {
-                continue;
-            }
-            solid.corners.extend(corners);
-            for [from, to] in [[a, b], [b, c], [c, a]] {
-                match open.get_mut(&[to, from]) {
-                    Some(1) => drop(open.remove(&[to, from])),
-                    Some(count) => *count -= 1,
-                    None => *open.entry([from, to]).or_default() += 1,
-                }
-            }
-            if open.is_empty() {
-                std::mem::take(&mut solid).join(&mut out);
+            let corners = [t[0], t[2], t[1]].map(|i| i as usize);
+            let points = corners.map(|i| all.point(FRAME.corner(group.positions[i])));
+            let [a, b, c] = points;
+            if a != b && b != c && c != a {
+                faces.push((points, corners));
             }
         }
-        solid.join(&mut out);
+        let mut out: Vec<Self> = Vec::new();
+        for piece in pieces(&faces.iter().map(|(points, _)| *points).collect::<Vec<_>>()) {
+            let mut mesh = Self::default();
+            for i in piece.into_iter().flat_map(|face| faces[face].1) {
+                let point = mesh.point(FRAME.corner(group.positions[i]));
+                mesh.corners.push(Corner { point, normal: FRAME.corner(group.normals[i]), uv: group.uvs[i] });
+            }
+            mesh.join(&mut out);
+        }
         out
     }
 
@@ -176,11 +169,8 @@ impl Welded {
         })
     }
 
-    /// Adds a solid to the first mesh that it does not touch.
+    /// Adds a piece to the first mesh that it does not touch.
     fn join(self, meshes: &mut Vec<Self>) {
-        if self.corners.is_empty() {
-            return;
-        }
         let Some(mesh) = meshes.iter_mut().find(|m| self.known.keys().all(|place| !m.known.contains_key(place))) else {
             return meshes.push(self);
         };
@@ -227,6 +217,39 @@ impl Welded {
     }
 }
 
+/// The faces, sorted into pieces: faces that share an edge with no third one belong together. Where solids touch along an
+/// edge, four faces meet there.
+fn pieces(faces: &[[u32; 3]]) -> Vec<Vec<usize>> {
+    let mut at: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
+    for (face, [a, b, c]) in faces.iter().enumerate() {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            at.entry([*from.min(to), *from.max(to)]).or_default().push(face);
+        }
+    }
+    let mut next: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
+    for shared in at.values() {
+        if let [one, other] = shared[..] {
+            next[one].push(other);
+            next[other].push(one);
+        }
+    }
+    let (mut found, mut seen) = (Vec::new(), vec![false; faces.len()]);
+    for face in 0..faces.len() {
+        let (mut piece, mut open) = (Vec::new(), vec![face]);
+        while let Some(face) = open.pop() {
+            if !std::mem::replace(&mut seen[face], true) {
+                piece.push(face);
+                open.extend(&next[face]);
+            }
+        }
+        if !piece.is_empty() {
+            piece.sort_unstable();
+            found.push(piece);
+        }
+    }
+    found
+}
+
 fn collider(out: &mut Usda, name: &str, geom: &Geom) {
     let solid = "PhysicsCollisionAPI";
     match &geom.shape {
@@ -249,7 +272,7 @@ fn collider(out: &mut Usda, name: &str, geom: &Geom) {
             out.begin("def Mesh", name, &[schemas(&[solid, "PhysicsMeshCollisionAPI"])]);
             let mut group = MeshGroup::new(geom.surface);
             group.solid(hull);
-            // A convex body is one solid.
+            // A convex body is one piece.
             if let Some(mesh) = Welded::of(&group).first() {
                 mesh.write(out, None);
             }
