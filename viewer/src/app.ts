@@ -28,6 +28,8 @@ export interface Hook {
   ghosts(): string[];
   /** The picture is still on its way to what was asked for. */
   moving(): boolean;
+  /** Turns ambient occlusion on or off, to tell what it does. */
+  occlusion(on: boolean): void;
   /** Replaces the data. */
   load(data: unknown): Promise<void>;
 }
@@ -94,6 +96,7 @@ export class App implements Sink {
     opened: () => this.view?.opened() ?? [],
     ghosts: () => this.view?.ghostly() ?? [],
     moving: () => this.view?.moving ?? false,
+    occlusion: (on) => this.view?.setOcclusion(on),
     load: (data) => this.take(() => readData(data)),
   };
 

@@ -13,8 +13,10 @@ import { Labels, type Tag } from "./labels.js";
 import { aboutObject, formatPoint, formatSize } from "./list.js";
 import { Marks } from "./marks.js";
 import { boundsOf, boundsOfAll, loadModel, type Model, place, putDown, samePlace, toGl } from "./model.js";
+import { Occlusion } from "./occlusion.js";
 import { Openings } from "./openings.js";
 import { Outline } from "./outline.js";
+import { Pace } from "./pace.js";
 import { Picker } from "./pick.js";
 import { Surroundings } from "./surroundings.js";
 import type { Theme } from "./theme.js";
@@ -63,6 +65,8 @@ export class SceneView {
   private readonly outline = new Outline(1);
   /** Around what is part of a failing constraint. */
   private readonly alarm = new Outline(4);
+  private readonly occlusion = new Occlusion(7);
+  private readonly pace = new Pace();
   private readonly marks = new Marks();
   private readonly openings = new Openings();
   private readonly ghosts = new Ghosts();
@@ -100,6 +104,7 @@ export class SceneView {
     this.renderer.shadowMap.autoUpdate = false;
     this.canvas.addEventListener("webglcontextrestored", () => {
       this.renderer.shadowMap.needsUpdate = true;
+      this.occlusion.forget();
       this.invalidate();
     });
     host.append(this.canvas);
@@ -144,6 +149,7 @@ export class SceneView {
     const cutaway = new Cutaway(data, model);
     this.room = { data, model, cutaway };
     for (const object of data.objects) this.places.set(object.name, object);
+    this.occlusion.join(model.root);
     this.scene.add(model.root);
     this.picker.setModel(model);
     this.openings.setModel(data, model);
@@ -261,8 +267,15 @@ export class SceneView {
 
   /** Zooms by a step; > 0 nearer. */
   zoom(step: number): void {
-    if (step > 0) this.cameras.controls.dollyIn(1.2);
-    else this.cameras.controls.dollyOut(1.2);
+    // The distance to what is looked at is multiplied by it.
+    if (step > 0) this.cameras.controls.dollyIn(1 / 1.2);
+    else this.cameras.controls.dollyOut(1 / 1.2);
+    this.invalidate();
+  }
+
+  /** Turns ambient occlusion on or off. */
+  setOcclusion(on: boolean): void {
+    this.occlusion.enabled = on;
     this.invalidate();
   }
 
@@ -278,6 +291,9 @@ export class SceneView {
     const keep = new Set(this.highlighted);
     more = (this.room?.cutaway.update(this.cameras.active, this.cameras.looking(), step, keep) ?? false) || more;
     if (this.openings.update(now)) more = this.renderer.shadowMap.needsUpdate = true;
+    this.pace.frame(now, more);
+    const hurry = this.pace.slow && (more || this.dragged !== null);
+    if (this.room !== null) this.occlusion.update(this.renderer, this.room.model.root, this.cameras.active, hurry);
     this.renderer.render(this.scene, this.cameras.active);
     for (const outline of [this.alarm, this.outline]) outline.render(this.renderer, this.scene, this.cameras.active);
     this.labels.place(this.cameras.active, this.size);
@@ -309,6 +325,8 @@ export class SceneView {
       dropped: (name, pos, calledOff) => {
         if (calledOff) this.place(name, pos, this.places.get(name)?.rot ?? [0, 0, 0]);
         this.canvas.style.cursor = "";
+        // At rest it may look better than on its way.
+        this.invalidate();
         this.events.dropped(name, pos, calledOff);
       },
     });

@@ -110,6 +110,22 @@ function difference(a, b) {
   }, a, b);
 }
 
+/** How much darker one picture is than another: the share of pixels that clearly are, those that are brighter, the most in a part of it. */
+function darkening(light, dark, part) {
+  return reader.evaluate((light, dark, [left, top, right, bottom], width) => {
+    const [one, other] = [window.shots[light], window.shots[dark]];
+    const found = { share: 0, brighter: 0, most: 0 };
+    for (let i = 0; i < one.length; i += 4) {
+      const less = one[i] + one[i + 1] + one[i + 2] - other[i] - other[i + 1] - other[i + 2];
+      const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
+      if (less > 24) found.share += 4 / one.length;
+      if (less < -6) found.brighter += 1;
+      if (x >= left && x < right && y >= top && y < bottom) found.most = Math.max(found.most, less / 3);
+    }
+    return found;
+  }, light, dark, part.area, part.width);
+}
+
 const twoFrames = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Waits until the picture stands still: what the pointer did has been seen, flights end, walls come to rest. */
@@ -257,6 +273,31 @@ checkOwn("chips, words and keys narrow the list", async (page) => {
   assert.equal((await rowsOf(page)).length, report.constraints.length);
 });
 
+checkOwn("corners and what stands on the floor take light from each other, and from nothing else", async (page) => {
+  await open(page);
+  // Nothing red over what is looked at, and a tag that says where it is.
+  const stage = await (await page.$(".stage")).boundingBox();
+  const [x, y] = await placeOf(page, "coffee");
+  const width = Math.round(stage.width);
+  const without = async () => {
+    await page.evaluate(() => window.scenelang.occlusion(false));
+    await settle(page);
+    return shoot(page);
+  };
+  const shaded = await shoot(page);
+  const plain = await without();
+  const area = (left, top, right, bottom) => ({ width, area: [left, top, right, bottom] });
+  const below = await darkening(plain, shaded, area(x - stage.x - 50, y - stage.y, x - stage.x + 50, y - stage.y + 70));
+  assert.ok(below.most > 10, `the floor below a low table is darker, by ${below.most}`);
+  assert.ok(below.share > 0.005 && below.share < 0.3, `${below.share} of the picture is darker`);
+  assert.equal(below.brighter, 0);
+  const background = await darkening(plain, shaded, area(0, 0, width, 30));
+  assert.equal(background.most, 0, "around the room nothing changes");
+
+  await page.evaluate(() => window.scenelang.occlusion(true));
+  await becomes(page, shaded, 0.0005, "on again");
+});
+
 checkOwn("the plan shows the room from straight above, named; back again, and reset", async (page) => {
   const { regions } = await open(page);
   const before = await shoot(page);
@@ -273,19 +314,40 @@ checkOwn("the plan shows the room from straight above, named; back again, and re
   assert.ok((await difference(before, await shoot(page))) < 0.01, "the first view is found again");
 });
 
+/** Where the tag of an object points to, once that is selected. */
+async function placeOf(page, name) {
+  await page.evaluate((name) => window.scenelang.select(name), name);
+  await settle(page);
+  return page.$eval(".tag.name", (tag) => ((box) => [box.x + box.width / 2, box.bottom])(tag.getBoundingClientRect()));
+}
+
 checkOwn("the plan is not mirrored: x runs to the right, z up", async (page) => {
   const { objects } = await open(page);
   await page.keyboard.press("p");
   await settle(page);
-  const place = async ({ name }) => {
-    await page.evaluate((name) => window.scenelang.select(name), name);
-    await settle(page);
-    return page.$eval(".tag.name", (tag) => ((box) => [box.x + box.width / 2, box.bottom])(tag.getBoundingClientRect()));
-  };
+  const place = ({ name }) => placeOf(page, name);
   for (const [axis, k, sign] of [["x", 0, 1], ["z", 2, -1]]) {
     const along = [...objects].sort((a, b) => a.pos[k] - b.pos[k]);
     const [low, high] = [await place(along[0]), await place(along.at(-1))];
     assert.ok((high[k / 2] - low[k / 2]) * sign > 50, `${axis}: ${along[0].name} at ${low}, ${along.at(-1).name} at ${high}`);
+  }
+});
+
+checkOwn("plus goes nearer, minus farther away", async (page) => {
+  const { objects } = await open(page);
+  await page.keyboard.press("p");
+  await settle(page);
+  const along = [...objects].sort((a, b) => a.pos[0] - b.pos[0]);
+  const apart = async () => {
+    const [low, high] = [await placeOf(page, along[1].name), await placeOf(page, along.at(-2).name)];
+    return high[0] - low[0];
+  };
+  const before = await apart();
+  for (const [key, times] of [["+", 1.2], ["-", 1], ["-", 1 / 1.2]]) {
+    await page.keyboard.press(key);
+    await settle(page);
+    const after = await apart();
+    assert.ok(Math.abs(after / before - times) < 0.05, `${key}: ${before} became ${after}`);
   }
 });
 
