@@ -227,7 +227,7 @@ pub enum ExprKind {
     Not(ExprId),
     /// `x + y`, `φ and ψ`, …; the range is that of the operator
     Binary(BinaryOp, TextRange, ExprId, ExprId),
-    /// `a < b`; more than one step is an error that the parser has reported (comparisons do not chain)
+    /// `a < b`; more than one step is an error that the parser has reported (comparisons cannot be chained)
     Compare(ExprId, Vec<(crate::program::Comparison, TextRange, ExprId)>),
     /// `vec3(…)`, `near(a, b, 1)`, `rand(…)`: functions, predicates and constructors alike
     Call(Name, Vec<ExprId>),

@@ -37,7 +37,10 @@ impl fmt::Display for NotSimple {
             Self::Flat => write!(f, "all vertices of the floor polygon lie on one line"),
             Self::Spike(i) => write!(f, "the floor polygon turns back on itself at vertex {i}"),
             Self::Crossing(i, j) => {
-                write!(f, "the floor polygon touches or crosses itself: its edges from vertices {i} and {j} meet")
+                write!(
+                    f,
+                    "the floor polygon touches or crosses itself: the edges that start at vertices {i} and {j} meet"
+                )
             }
         }
     }

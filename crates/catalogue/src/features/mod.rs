@@ -102,7 +102,7 @@ impl Features {
             if models != others {
                 let [clip, sbert] = PICKLES.map(|(name, _)| name);
                 return Err(broken(format!(
-                    "{FOLDER}/: {clip} and {sbert} are not about the same models, in one order"
+                    "{FOLDER}/: {clip} and {sbert} do not list the same models in the same order"
                 )));
             }
             (models, clip, sbert)

@@ -264,7 +264,8 @@ mod tests {
     fn any_text_is_survived() {
         let deep = format!("--- !u!4 &1\nTransform: {}", "[".repeat(100_000));
         let broken = "--- !u!1 &1\nGameObject:\n  m_Name: desk\n  m_Is: {x: 1\n --- }\n\t:\n&a *a";
-        for text in [deep.as_str(), broken, "--- !u!", "--- !u!4 &99999999999999999999\n- 1\n", "\u{feff}--- !u!4 &1\n"] {
+        for text in [deep.as_str(), broken, "--- !u!", "--- !u!4 &99999999999999999999\n- 1\n", "\u{feff}--- !u!4 &1\n"]
+        {
             documents(text);
         }
         assert_eq!(documents(broken)[0].text("m_Name").as_deref(), Some("desk"));

@@ -47,7 +47,8 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
     }
     let mut found = found.updated(&walk.seen);
     if let Some(root) = moved {
-        let message = format!("`{root}`, the node of the whole scene, was moved; objects are checked in relation to it");
+        let message =
+            format!("`{root}`, the node of the whole scene, was moved; objects are checked in relation to it");
         found.changes.push(Diagnostic::without_place(codes::W0504, message));
     }
     Ok(found)

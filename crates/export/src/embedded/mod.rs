@@ -134,5 +134,14 @@ fn embedded(layout_name: String, layout_path: PathBuf, layout: &str, spec: &str,
         texts.filter_map(|(path, text)| Some((normal(&beside.join(path)), text.as_str()?.to_owned()))).collect();
     files.insert(main.clone(), spec.to_owned());
     let layout = layout.to_owned();
-    Embedded { layout_name, layout_path, main, exported: layout.clone(), layout, changes: Vec::new(), unread: None, files }
+    Embedded {
+        layout_name,
+        layout_path,
+        main,
+        exported: layout.clone(),
+        layout,
+        changes: Vec::new(),
+        unread: None,
+        files,
+    }
 }

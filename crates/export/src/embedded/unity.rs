@@ -79,7 +79,8 @@ fn below(project: &Path) -> Vec<String> {
             if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
                 folders.push(path);
             } else if path.extension().is_some_and(|end| end == "unity") {
-                found.extend(path.strip_prefix(project).ok().and_then(Path::to_str).map(|path| path.replace('\\', "/")));
+                found
+                    .extend(path.strip_prefix(project).ok().and_then(Path::to_str).map(|path| path.replace('\\', "/")));
             }
         }
     }

@@ -54,12 +54,7 @@ pub(super) fn read(name: &str, path: &Path, loader: &dyn Loader) -> Result<Embed
 }
 
 /// A layer with its sublayers. `seen`: the layers that are read already.
-fn composed(
-    name: &str,
-    path: &Path,
-    loader: &dyn Loader,
-    seen: &mut Vec<PathBuf>,
-) -> Result<Prim, Box<Diagnostic>> {
+fn composed(name: &str, path: &Path, loader: &dyn Loader, seen: &mut Vec<PathBuf>) -> Result<Prim, Box<Diagnostic>> {
     let bytes = loader.load(path).map_err(|e| Box::new(unreadable(&format!("read {name}"), &e)))?;
     let layer = if bytes.starts_with(b"PK") { unpacked(name, &bytes)? } else { bytes };
     if layer.starts_with(b"PXR-USDC") {

@@ -597,7 +597,10 @@ fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
     if like.aside && it.count == 1 && it.size.is_some_and(|s| s[1] > TALL) {
         plan.say(format!("prefer inCorner({}, {room});", it.name), USUAL);
     }
-    if it.size.is_some_and(|size| stand::moving(&it.category.replace('_', " "), size) != size) {
+    // In a corner, where it was asked for, there is less room behind it.
+    let cornered = format!("inCorner({}, {room})", it.name);
+    let in_corner = plan.draft.statements.iter().any(|s| s.demand == Demand::Must && s.text.contains(&cornered));
+    if !in_corner && it.size.is_some_and(|size| stand::moving(&it.category.replace('_', " "), size) != size) {
         let one = if it.count > 1 { "a" } else { it.name.as_str() };
         let clear = format!("clear({one}, behind, {})", metres(stand::BEHIND_ROCKING));
         let all = if it.count > 1 { format!("forall a in {}: {clear}", it.name) } else { clear };

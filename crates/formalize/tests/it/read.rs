@@ -233,6 +233,14 @@ fn faults(draft: &Draft) -> Vec<String> {
     own.map(|c| format!("{:?}", c.statements)).collect()
 }
 
+/// What `check` has to say of the program of a draft.
+fn findings(draft: &Draft) -> Vec<String> {
+    let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Front::default());
+    let program = compiled.program.expect("it compiles");
+    let proved = prove(&program, &ProveOptions { usual: true, ..ProveOptions::default() }).diagnostics(&program);
+    compiled.diagnostics.iter().chain(&proved).map(|found| format!("{}: {}", found.code, found.message)).collect()
+}
+
 #[test]
 fn every_program_compiles_and_nothing_contradicts() {
     let files = development();
@@ -242,6 +250,9 @@ fn every_program_compiles_and_nothing_contradicts() {
         for literal in [false, true] {
             let reading = read(&request, &Options { literal });
             assert_eq!(faults(&reading.draft), Vec::<String>::new(), "{}", file.display());
+            if !literal {
+                assert_eq!(findings(&reading.draft), Vec::<String>::new(), "{}", file.display());
+            }
             // Of so many clauses something came: of fewer, all.
             let used = |at: &Range<usize>| {
                 reading.words.iter().any(|word| word.used && at.start <= word.at.start && word.at.end <= at.end)

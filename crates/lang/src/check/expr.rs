@@ -374,8 +374,7 @@ impl<'n, 'a> Checker<'n, 'a> {
         };
         let range = self.range(index);
         if !index_ty.fits(Ty::Literal) || (index_ty == Ty::Literal && self.is_static(index).is_err()) {
-            let message =
-                "an index is a whole number, or made of numbers and the variables of ranges such as `i in 0..5`";
+            let message = "an index must be a whole number, or an expression of numbers and range variables, such as `i` in `forall i in 0..5`";
             self.error(codes::E0304, range, message);
             return Ty::Error;
         }

@@ -184,7 +184,7 @@ fn check_assign(checker: &mut Checker<'_, '_>, stmt: &Stmt) {
             }
             None if owner == Ty::Region && prop.text == "category" => {
                 let d = Diagnostic::new(codes::E0211, Where::Here(*target), "a region has no category");
-                checker.push(d.note("its name says what it is; `features` takes any further words"));
+                checker.push(d.note("use its name to say what it is, and `features` to describe it further"));
                 checker.ty(*value);
             }
             None => {

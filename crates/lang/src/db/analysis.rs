@@ -286,7 +286,7 @@ impl Analysis {
         let rename = "give one of them another name, or remove one";
         report(&table.declared_twice, codes::E0202, "declared", rename, name_span);
         report(&table.defined_twice, codes::E0202, "defined", rename, name_span);
-        let one_value = "a program is a set of statements: a property or variable has one value";
+        let one_value = "the order of statements does not matter, so a property or variable can be assigned only once";
         report(&assigned.twice, codes::E0203, "assigned", one_value, |p| p.span(target(p.stmt)?));
     }
 

@@ -24,7 +24,7 @@ pub fn check(names: &dyn Names, stmt: &Stmt, scopes: &Scopes<'_>, out: Out<'_>) 
         StmtKind::Assert { formula } | StmtKind::Prefer { formula, .. }
             if stmt.expr(*formula).kind == ExprKind::Bool(true) =>
         {
-            finding(out, stmt.expr(*formula).range, "`true` says nothing");
+            finding(out, stmt.expr(*formula).range, "`true` always holds, so this statement has no effect");
         }
         StmtKind::Allow { rule: Allow::Collide, args, .. } => look.collides_with_itself(args, out),
         _ => {}

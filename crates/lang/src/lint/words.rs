@@ -42,7 +42,7 @@ pub fn check(stmt: &Stmt, scopes: &Scopes<'_>, out: &mut Vec<Diagnostic<Where>>)
                 }
                 Some(_) => {}
                 None if scopes.bound.iter().any(|bound| bound.text == *word) => {}
-                None => say(format!("`{word}` in a template is not a parameter of the predicate")),
+                None => say(format!("`{word}` in the `Measured:` template is not a parameter of the predicate")),
             }
         }
     }

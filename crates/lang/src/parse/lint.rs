@@ -50,7 +50,7 @@ fn chain(text: &str, place: TextRange, steps: &[Step], exprs: &[Expr], negated: 
         let end = steps.get(i + 1).map_or(exprs[right.0 as usize].range.end, |(_, next, _)| next.start);
         text[operator.end as usize..end as usize].trim()
     };
-    let mut diagnostic = Diagnostic::new(E0114, place, "comparisons do not chain");
+    let mut diagnostic = Diagnostic::new(E0114, place, "comparisons cannot be chained");
     for ((_, operator, _), which) in steps.iter().zip(["the first comparison", "the second"]) {
         diagnostic = diagnostic.related(*operator, which);
     }

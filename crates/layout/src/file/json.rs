@@ -223,7 +223,7 @@ impl Parser<'_, '_> {
             if p.peek() == Some(b':') {
                 let say = "an array cannot contain keys";
                 let finding = Diagnostic::new(codes::E0501, item.range, say);
-                p.findings.push(finding.related(open, "is the `]` that closes this missing?"));
+                p.findings.push(finding.related(open, "the `]` that closes this array may be missing"));
                 return Err(Stop);
             }
             items.push(item);
@@ -271,7 +271,7 @@ impl Parser<'_, '_> {
                 }
                 Some(c) if c == close => {
                     if let (Some(comma), Some(_)) = (comma, end) {
-                        self.fixable(comma, "no comma may follow the last item", "remove the comma", comma, "");
+                        self.fixable(comma, "a trailing comma is not allowed in JSON", "remove the comma", comma, "");
                     }
                     self.at += 1;
                     return Ok(());
@@ -348,7 +348,7 @@ impl Parser<'_, '_> {
         }
         let say = match word.to_ascii_lowercase().as_str() {
             "nan" | "infinity" | "inf" => format!("JSON has no number `{word}`"),
-            lower @ ("true" | "false" | "null") => format!("JSON writes `{lower}` in lower case"),
+            lower @ ("true" | "false" | "null") => format!("in JSON, `{lower}` must be in lower case"),
             _ => format!("`{word}` means nothing in JSON; strings are written in double quotes"),
         };
         self.error(range, say);

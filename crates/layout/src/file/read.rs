@@ -229,7 +229,11 @@ impl Reader<'_, '_> {
         if let (Some([_, rot, _]), Some(m)) = (place, find(members, "rot")) {
             let off = |degrees: f64| (degrees - 360.0 * (degrees / 360.0).round()).abs();
             if off(rot.x) > TILT + 1e-9 || off(rot.z) > TILT + 1e-9 {
-                self.error(codes::E0511, m.node.range, format!("the region `{name}` can be rotated about y only"));
+                self.error(
+                    codes::E0511,
+                    m.node.range,
+                    format!("the region `{name}` can be rotated only about the y axis"),
+                );
                 return None;
             }
         }

@@ -136,7 +136,7 @@ fn variables(program: &Program, layout: &Layout, places: &Places, out: &mut Vec<
             _ => false,
         };
         let finding = if !fits {
-            Diagnostic::new(codes::E0504, entry.place.value, format!("`{}` takes {wanted}", entry.name))
+            Diagnostic::new(codes::E0504, entry.place.value, format!("`{}` must be {wanted}", entry.name))
         } else if large {
             Diagnostic::new(codes::E0505, entry.place.value, format!("`{}` must not exceed a million", entry.name))
         } else {

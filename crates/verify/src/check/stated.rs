@@ -124,7 +124,10 @@ fn reason(program: &Program, cause: Cause) -> String {
         Cause::MissingVariable(id) => {
             format!("the layout has no value for `{}`", program.variables[id.0 as usize].name)
         }
-        Cause::MissingDraw(id) => format!("the layout does not record the draw `{}`", program.draws[id.0 as usize].key),
+        Cause::MissingDraw(id) => format!(
+            "the layout does not contain the value drawn here, whose key is `{}`",
+            program.draws[id.0 as usize].key
+        ),
         Cause::Refused => "a value that it depends on is invalid".to_owned(),
         Cause::DivisionByZero => "this divides by zero".to_owned(),
         Cause::NegativeRoot => "this is the square root of a negative number".to_owned(),

@@ -257,7 +257,11 @@ impl Prover<'_> {
                             short(*width)
                         ),
                         ([a], Some(side)) => {
-                            format!("at most {bound} m can be free {} `{a}`, not {} m", beside(side), short(*width))
+                            format!(
+                                "there can be at most {bound} m of free space {} `{a}`, but {} m are required",
+                                beside(side),
+                                short(*width)
+                            )
                         }
                         _ => return None,
                     },

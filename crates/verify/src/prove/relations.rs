@@ -24,7 +24,7 @@ const RELATIONS: [(&str, &str, Option<Order>); 17] = [
     ("oppositeWays", "looks the opposite way to", None),
     ("inside", "is inside", None),
     ("onFloor", "stands on the floor of", None),
-    ("againstWall", "has its back at a wall of", None),
+    ("againstWall", "has its back against a wall of", None),
     ("seenLeftOf", "is, seen from the front, on the left of", None),
     ("seenRightOf", "is, seen from the front, on the right of", None),
 ];
@@ -89,7 +89,7 @@ pub(super) fn circle(program: &Program, found: &Contradiction) -> Option<String>
     }
     let phrases: Vec<&str> = order.iter().map(|i| said[*i].phrase.as_str()).collect();
     let (last, rest) = phrases.split_last()?;
-    Some(format!("{} and {last}, which is a circle", rest.join(", ")))
+    Some(format!("{} and {last}, which is circular", rest.join(", ")))
 }
 
 /// What a few assertions say of the same things, where no number tells why.

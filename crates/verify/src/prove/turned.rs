@@ -63,7 +63,7 @@ impl Packing<'_> {
         let [w, d] = [0, 2].map(|i| short(of(state, group.size[i]).hi));
         let widths: f64 = some.iter().map(|&i| of(state, group.members[i].size[0]).lo).sum();
         self.say(format!(
-            "{}, together {} m wide, do not fit beside each other on a floor of {w} × {d} m where they are to stand: at most {fit} fit",
+            "{}, which are {} m wide in total, do not fit beside each other where the program requires them to stand on a floor of {w} × {d} m: at most {fit} fit",
             self.things(group, &some),
             short(widths)
         ));

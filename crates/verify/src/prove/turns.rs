@@ -61,7 +61,7 @@ fn contradiction(
     ends.extend(way.iter().map(|(edge, back)| name(if *back { edge.from } else { Some(edge.of) })));
     let sum = (sum.abs() * 100.0).round() / 100.0;
     let reason = format!(
-        "the turns from {} and back to {} add up to {sum}°, which is no multiple of 360°",
+        "the turns from {} and back to {} add up to {sum}°, which is not a multiple of 360°",
         ends.join(" to "),
         ends[0]
     );

@@ -14,12 +14,12 @@ use scenelang_lang::program::{BuiltIn, ConstraintKind, Node, ObjectId, Program};
 use scenelang_lang::roles::role_of;
 
 /// Of a contradiction that rests on what is usual.
-const AS_USUAL: &str = "this is impossible unless something is tilted or turned, or has an unusual size: the proof assumes that \
-    rooms are not rotated, and that objects stand upright, rest on something and have their usual sizes, as in layouts made by `solve`";
+const AS_USUAL: &str = "this is impossible unless something is tilted, turned or of an unusual size: it is proved for layouts like \
+    those that `solve` makes, in which rooms are not rotated, and objects stand upright, rest on something and have their usual sizes";
 /// The same, of one that rests on the shapes of furniture, too.
-const WITH_SHAPES: &str = "this is impossible unless something is tilted or turned, has an unusual size, or is shaped so that \
-    another stands inside its box: the proof assumes that rooms are not rotated, and that objects stand upright, rest on something \
-    and have their usual sizes and shapes, as in layouts made by `solve`";
+const WITH_SHAPES: &str = "this is impossible unless something is tilted, turned or of an unusual size or shape: it is proved for layouts \
+    like those that `solve` makes, in which rooms are not rotated, and objects stand upright, rest on something and have their usual sizes and \
+    shapes";
 
 pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnostic> {
     let mut out: Vec<Diagnostic> = findings.contradictions.iter().map(|c| contradiction(c, program)).collect();
@@ -41,7 +41,9 @@ pub(super) fn diagnostics(findings: &Findings, program: &Program) -> Vec<Diagnos
     }
     if let (true, Some(first)) = (findings.too_large, program.constraints.first()) {
         let say = "the program is too large to be searched for contradictions as a whole";
-        let note = format!("the limits are {LARGEST} objects and statements that expand to {MOST_SAID} parts");
+        let note = format!(
+            "the statements may mention at most {LARGEST} objects, and may expand to at most {MOST_SAID} parts"
+        );
         out.push(Diagnostic::new(codes::W0403, first.span, say).note(note));
     }
     out.sort_by_key(|d| d.primary.as_ref().map(|p| (p.place.file, p.place.range.start)));

@@ -129,7 +129,7 @@ impl<'a> Words<'a> {
             out += &format!("; {} of {held} {what} still hold", held - broken);
         }
         out += &match repair.breaks.as_slice() {
-            [] => "; the move violates nothing else".to_owned(),
+            [] => "; the move causes no new violations".to_owned(),
             breaks => format!("; the move violates {}", list(breaks)),
         };
         if !repair.repairs.is_empty() {

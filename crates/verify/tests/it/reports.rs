@@ -36,7 +36,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────┬──────────────
        │               ╰──────────────── fails in room.layout.json: margin -0.37 m
        │
-       │ Help: move `nightstand` 0.38 m east; the move violates nothing else and also satisfies `not collides(bed, nightstand)` (line 5) and P-COLLIDE for `bed` and `nightstand`
+       │ Help: move `nightstand` 0.38 m east; the move causes no new violations and also satisfies `not collides(bed, nightstand)` (line 5) and P-COLLIDE for `bed` and `nightstand`
        │
        │ Note: required by "the lamp is <above> the table"
     ───╯
@@ -54,7 +54,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────────┬─────────────────
        │                   ╰─────────────────── fails in room.layout.json: margin -0.069 m
        │
-       │ Help: move `nightstand` 0.38 m east; the move violates nothing else and also satisfies `nightstand.pos.x > 2.5` (line 4) and P-COLLIDE for `bed` and `nightstand`
+       │ Help: move `nightstand` 0.38 m east; the move causes no new violations and also satisfies `nightstand.pos.x > 2.5` (line 4) and P-COLLIDE for `bed` and `nightstand`
        │
        │ Note: the physical rule P-COLLIDE also forbids this overlap
     ───╯
@@ -69,7 +69,7 @@ fn people_read_both_sides_and_the_measured_values() {
        │ ──────────────────┬──────────────────
        │                   ╰──────────────────── not met in room.layout.json: margin -89.9°
        │
-       │ Help: turn `nightstand` by 90° clockwise; the move violates nothing else
+       │ Help: turn `nightstand` by 90° clockwise; the move causes no new violations
     ───╯
     room.layout.json: 0 of 2 assertions, 1 of 1 assignments, 0 of 1 preferences, 2 of 3 physical rules hold
     "##);

@@ -244,7 +244,10 @@ impl Named<'_> {
                 _ => &["inFrontOf", "behind", "inFrontOf", "behind", "leftOf", "rightOf", "inFrontOf", "behind"],
             };
             let each: Vec<String> = (0..k).map(|j| format!("{}({}, {to}[i])", sides[j], indexed(of, k, j))).collect();
-            out.push(format!("prefer forall i in 0..{m}: {};", each.join(" and ")));
+            // Where rows give each its place, these are the sides.
+            if self.drawn_up(a).is_none() {
+                out.push(format!("prefer forall i in 0..{m}: {};", each.join(" and ")));
+            }
             out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));
         } else {
             out.push(format!("{verb} {};", self.pairs(a, b, &|x, y| format!("near({x}, {y}, {})", number(d)))));

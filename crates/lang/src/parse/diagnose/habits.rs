@@ -89,7 +89,7 @@ pub fn sentence(site: &Site<'_>) -> Option<Finding> {
     let written = format!("@req({}) {word}", site.slice(string));
     let replaced = if joined { keyword.cover(site.range(site.at)) } else { keyword.cover(site.range(end)) };
     let title = format!("write {}", quote(&written));
-    let message = format!("`{word}` takes no text; write the requirement before it, with `@req`");
+    let message = format!("`{word}` does not take a string; put the requirement before it, in `@req(\"…\")`");
     Some(Diagnostic::new(E0110, site.range(string), message).fix(Applicability::Safe, title, replaced, written))
 }
 

@@ -125,7 +125,7 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
             Some(Diagnostic::new(E0110, place, message).note("to compare, write `=`"))
         }
         Kind::Weight => {
-            let diagnostic = Diagnostic::new(E0110, place, "`weight` belongs to `prefer`");
+            let diagnostic = Diagnostic::new(E0110, place, "only `prefer` can have a `weight`");
             let keyword = site.range(site.head);
             Some(match site.kind(site.head) {
                 Some(Kind::Assert) => diagnostic

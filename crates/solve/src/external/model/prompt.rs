@@ -126,8 +126,8 @@ fn concern(view: &View<'_>, concern: &Concern, objects: bool) -> Value {
         TermSubject::Collision(a, b) => (format!("{a} and {b} do not overlap"), &[][..]),
         TermSubject::Bounds(a) => (format!("{a} is inside a region"), &[][..]),
         TermSubject::Open(a, met) => {
-            let met = met.as_ref().map_or(String::new(), |met| format!(", which `{met}` keeps it from"));
-            (format!("what of {a} has to open does{met}"), &[][..])
+            let met = met.as_ref().map_or(String::new(), |met| format!(", which `{met}` prevents"));
+            (format!("every part of {a} that must open can open{met}"), &[][..])
         }
         TermSubject::Support(a) => (format!("{a} rests on the floor or on something"), &[][..]),
     };
