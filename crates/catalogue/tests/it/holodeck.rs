@@ -115,7 +115,11 @@ fn features_that_cannot_be_used_are_one_diagnosis() {
             &sbert,
             "features/clip_features.pkl: `img_features`: it is not an array of NumPy",
         ),
-        (&clip, renamed.as_deref().unwrap(), "features/: clip_features.pkl and sbert_features.pkl do not list the same"),
+        (
+            &clip,
+            renamed.as_deref().unwrap(),
+            "features/: clip_features.pkl and sbert_features.pkl do not list the same",
+        ),
     ] {
         let (folder, _) = features(clip, sbert);
         let catalogue = Catalogue::open(folder.path()).unwrap();

@@ -12,6 +12,8 @@ const FLUSH: f64 = 0.06;
 const TOUCHES: f64 = 1e-3;
 /// So far from the edge of what carries it is something put down, if there is room (metres).
 const INSIDE: [f64; 2] = [0.05, 0.02];
+/// So far on is moved what would otherwise stick out over the edge (metres).
+const MOST_INSIDE: f64 = 0.2;
 
 impl MoveSearch<'_, '_> {
     /// A move at whose end the object touches what it rests on.
@@ -58,13 +60,27 @@ impl MoveSearch<'_, '_> {
 
     fn inside_the_edge(&mut self, m: Move, carrier: ObjectId) -> Option<Move> {
         let on = self.stage.pose(carrier)?.pos - self.stage.pose(self.from.object)?.pos;
-        INSIDE.into_iter().find_map(|inside| {
+        let [own, top] = [self.half(self.from.object)?, self.half(carrier)?];
+        // As far as no part of it is over the edge, if that is not far; else a little.
+        let whole = [(on.x, own.x, top.x), (on.z, own.z, top.z)].map(|(off, own, top)| {
+            let over = off.abs() + own + INSIDE[1] - top;
+            if over <= MOST_INSIDE { over.clamp(INSIDE[0], INSIDE[0].max(off.abs())) } else { INSIDE[0] }
+        });
+        [whole, [INSIDE[0]; 2], [INSIDE[1]; 2]].into_iter().find_map(|inside| {
             // Only on in the direction it came in, and not beyond the middle.
-            let more = |by: f64, to: f64| if by * to > 0.0 && to.abs() > inside { inside.copysign(by) } else { 0.0 };
-            let by = [more(m[0], on.x), more(m[2], on.z)];
-            let inner = [m[0] + by[0], m[1], m[2] + by[1], m[3]];
+            let more = |by: f64, to: f64, inside: f64| {
+                if by * to > 0.0 && to.abs() >= inside { inside.copysign(by) } else { 0.0 }
+            };
+            let by = [more(m[0], on.x, inside[0]), more(m[2], on.z, inside[1])];
+            let inner = [m[0] + rounded(by[0]), m[1], m[2] + rounded(by[1]), m[3]];
             (inner != m && self.holds(&inner)).then_some(inner)
         })
+    }
+
+    /// Half of an object's extent along the axes of the world.
+    fn half(&self, id: ObjectId) -> Option<Vec3> {
+        let obb = &self.stage.world().object(id).ok()?.body.obb;
+        Some(obb.axes.abs() * obb.half)
     }
 
     /// What is left to the wall in a direction in which the object was moved: behind it or at a side.

@@ -306,7 +306,8 @@ impl<'n, 'b> It<'n, 'b> {
     fn at_eye_level(&self, out: &mut Stated) {
         let height = self.named.sizes[self.a][1];
         let up = matches!(self.item.group, Group::Wall | Group::Screen) && !self.held && !self.high && !self.above;
-        if !up || height >= 1.6 {
+        let at_ceiling = self.said(|w| matches!(w, FactKind::Place(_, Place::Ceiling, _)));
+        if !up || height >= 1.6 || at_ceiling {
             return;
         }
         // People look at a screen from their seats.

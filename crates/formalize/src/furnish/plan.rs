@@ -9,7 +9,7 @@ use super::slots::{
 };
 use super::{place, stand, taste, tops};
 use crate::brief::Group;
-use crate::draft::{Draft, DraftThing, OpeningKind, Statement, ThingOrigin};
+use crate::draft::{Demand, Draft, DraftThing, OpeningKind, Statement, ThingOrigin};
 use crate::names::{GivenNames, identifier, mentions};
 use crate::read::lexicon::get;
 use crate::sizes::usual;
@@ -557,9 +557,12 @@ impl<'a> Plan<'a> {
         let above = places.iter().filter(|slot| matches!(slot.level, Level::Top | Level::Above(_)));
         self.loads.extend(above.map(|slot| (thing, Taken::by(slot, size))));
         let all = fixed.join(" and ");
-        let text =
-            if of.count > 1 { format!("assert forall i in 0..{}: {all};", of.count) } else { format!("assert {all};") };
-        self.say(text, why);
+        // Rows of tables may have given the seats their places already.
+        let first = format!("{}[{each} * i].pos.x = ", part.name);
+        if !self.draft.statements.iter().any(|s| s.demand == Demand::Must && s.text.contains(&first)) {
+            let each = if of.count > 1 { format!("forall i in 0..{}: ", of.count) } else { String::new() };
+            self.say(format!("assert {each}{all};"), why);
+        }
         let every = |f: &dyn Fn(&str) -> String| match part.count {
             1 => format!("assert {};", f(&part.name)),
             _ => format!("assert forall a in {}: {};", part.name, f("a")),

@@ -6,6 +6,7 @@ use scenelang_formalize::draft::{Draft, Statement, ThingOrigin};
 use scenelang_formalize::read::{BECAME_NOTHING, PURPOSE};
 use scenelang_formalize::write::write;
 use scenelang_formalize::{Options, read};
+use scenelang_lang::program::ConstraintKind;
 use scenelang_lang::{Options as Front, compile_text};
 use scenelang_verify::prove::{ProveOptions, prove};
 use std::ops::Range;
@@ -233,12 +234,18 @@ fn faults(draft: &Draft) -> Vec<String> {
     own.map(|c| format!("{:?}", c.statements)).collect()
 }
 
-/// What `check` has to say of the program of a draft.
-fn findings(draft: &Draft) -> Vec<String> {
+/// The warnings for the program of a draft, and what was added to it as a preference that can never hold.
+fn warnings(draft: &Draft) -> Vec<String> {
     let compiled = compile_text("room.scene", Path::new("room.scene"), &write(draft), Front::default());
     let program = compiled.program.expect("it compiles");
-    let proved = prove(&program, &ProveOptions { usual: true, ..ProveOptions::default() }).diagnostics(&program);
-    compiled.diagnostics.iter().chain(&proved).map(|found| format!("{}: {}", found.code, found.message)).collect()
+    let proved = prove(&program, &ProveOptions { usual: true, ..ProveOptions::default() });
+    let constraints = proved.unsatisfiable.iter().flat_map(|c| &c.statements).map(|i| &program.constraints[*i]);
+    let added = constraints.filter(|constraint| {
+        let is_preference = matches!(constraint.kind, ConstraintKind::Prefer { .. });
+        is_preference && constraint.requirements.iter().all(|text| text.starts_with("inferred"))
+    });
+    let warnings = compiled.diagnostics.iter().map(|found| format!("{}: {}", found.code, found.message));
+    warnings.chain(added.map(|constraint| constraint.text.to_string())).collect()
 }
 
 #[test]
@@ -251,7 +258,7 @@ fn every_program_compiles_and_nothing_contradicts() {
             let reading = read(&request, &Options { literal });
             assert_eq!(faults(&reading.draft), Vec::<String>::new(), "{}", file.display());
             if !literal {
-                assert_eq!(findings(&reading.draft), Vec::<String>::new(), "{}", file.display());
+                assert_eq!(warnings(&reading.draft), Vec::<String>::new(), "{}", file.display());
             }
             // Of so many clauses something came: of fewer, all.
             let used = |at: &Range<usize>| {
