@@ -13,6 +13,7 @@ mod beside;
 mod companies;
 mod conjuncts;
 mod cuts;
+mod framed;
 pub(crate) mod interval;
 mod looks;
 mod loosened;
@@ -145,7 +146,11 @@ pub struct ProofStep {
 /// Looks for what can be proved of a program.
 pub fn prove(program: &Program, options: &ProveOptions) -> Findings {
     let usual = options.usual.then(|| usual::Usual::of(program));
-    minimal::Prover::new(program, options, usual.as_ref()).findings()
+    let mut findings = minimal::Prover::new(program, options, usual.as_ref()).findings();
+    if usual.is_some() && findings.contradictions.is_empty() {
+        findings.contradictions = framed::contradictions(program, options);
+    }
+    findings
 }
 
 /// Statements of a program to give up so that, as far as is looked, the others do not contradict each other: of each

@@ -286,7 +286,6 @@ fn the_official_client_is_served() {
 
 /// A client that knows nothing but `repair` brings damaged layouts of the public problems back.
 #[test]
-#[ignore = "it takes ten seconds and more; `tests/problems/damaged.py` tries more"]
 fn whoever_follows_repair_arrives() {
     let (mut all, mut lost) = (0, Vec::new());
     for name in crate::problems::sample() {
