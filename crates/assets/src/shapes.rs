@@ -115,17 +115,22 @@ impl Mesh {
         self.lathe(b, &sphere(4), 8, s);
     }
     /// A profile turned about the upright axis of the box. Points are (radius, height), both as fractions of the box, from
-    /// the bottom outside up (and, for a vessel, down again inside); open ends are closed by a disc. `sides` is a multiple
-    /// of four, so that the extents are exact.
+    /// the bottom outside up (and, for a vessel, down again inside); open ends are closed by a disc, and a profile that ends at
+    /// the height at which it begins is a ring. `sides` is a multiple of four, so that the extents are exact.
     pub(crate) fn lathe(&mut self, b: Block, profile: &[(f64, f64)], sides: usize, s: &Surface) {
         let size = b.size();
         let (Some(first), Some(last)) = (profile.first(), profile.last()) else { return };
         if size.min() < THIN {
             return;
         }
-        let mut points = vec![(0.0, first.1)];
-        points.extend_from_slice(profile);
-        points.push((0.0, last.1));
+        let is_ring = first.1 == last.1 && first.0 > 0.0 && last.0 > 0.0;
+        let mut points = profile.to_vec();
+        if is_ring {
+            points.push(*first);
+        } else {
+            points.insert(0, (0.0, first.1));
+            points.push((0.0, last.1));
+        }
         points.dedup();
         // Tangents in metres decide what is smooth: bends below 40 degrees.
         let mean = (size.x + size.z) / 4.0;

@@ -238,6 +238,26 @@ fn a_file_that_another_program_has_saved_is_not_ours_any_more() {
     room.run(&SYNTH, &["--overwrite"], 0);
 }
 
+/// A Unity project whose scene is none of ours any more: where things stand in it is not known, so nothing is taken from it.
+#[test]
+fn what_cannot_be_read_of_a_project_is_not_taken_and_not_lost() {
+    let room = Room::made_by(&SYNTH);
+    let made = room.files();
+    let scene = room.at("out/unity/Assets/Scenes/room.unity");
+    let text = fs::read_to_string(&scene).unwrap();
+    fs::write(&scene, text.replace("layoutSha256", "sum")).unwrap();
+    let edited = room.files();
+    for more in [&[][..], &["--take"]] {
+        let ended = room.run(&SYNTH, more, 2);
+        assert!(ended.stderr.contains("so its edits cannot be used"), "{ended:?}");
+        assert!(room.files() == edited);
+    }
+    let ended = room.run(&["check", "out/unity"], &[], 0);
+    assert!(ended.stdout.contains("W0504") && ended.stdout.contains("the embedded layout is checked"), "{ended:?}");
+    room.run(&SYNTH, &["--overwrite"], 0);
+    assert!(room.files() == made);
+}
+
 #[test]
 fn of_two_scenes_that_differ_none_is_taken() {
     let room = Room::made_by(&SYNTH);
