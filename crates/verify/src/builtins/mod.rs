@@ -28,6 +28,7 @@ pub(crate) use gap::in_words as gap_in_words;
 pub(crate) use gap::is_in_proofs as gap_is_in_proofs;
 pub(crate) use inside::in_proofs as region_in_proofs;
 pub use inside::in_region;
+pub(crate) use passages::past as path_past_in_proofs;
 
 use crate::coded::Boxes;
 use crate::eval::{EvalError, Scratch, Truth, Value};

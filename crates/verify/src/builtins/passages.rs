@@ -14,6 +14,11 @@ const SLACK: f64 = 3e-3;
 const NEAR: f64 = 0.06;
 /// What rounding of places may cost (metres).
 const ROUNDING: f64 = 1e-5;
+/// What stands in the way reaches into this space above the floor (metres).
+const STEP: f64 = 0.05;
+const HEAD: f64 = 2.0;
+/// A component of an axis that is off 0 or 1 by less is along an axis of the world.
+const TURNED: f64 = 1e-9;
 /// With more regions or doors nothing is said: there would be a case for each of them.
 const MOST_REGIONS: usize = 4;
 const MOST_DOORS: usize = 6;
@@ -73,6 +78,58 @@ fn opening(facts: &Unknowns<'_>, door: ObjectId) -> Option<Opening> {
 fn floor(facts: &Unknowns<'_>, region: RegionId) -> Floor {
     let room = facts.room(region);
     Floor { at: [0, 2].map(|i| room.pos.0[i]), half: [0, 2].map(|i| room.scale.0[i].scale(0.5)) }
+}
+
+/// Claims that hold wherever a disc of this width can move from one object to the other and a third one is not one of them: in
+/// the only room, if they are on different sides of that, the disc passes it on the one side or on the other.
+pub(crate) fn past(facts: &Unknowns<'_>, ends: [ObjectId; 2], width: Term, other: ObjectId) -> Vec<Claim> {
+    let [region] = facts.regions()[..] else { return Vec::new() };
+    let doors: Vec<ObjectId> = facts.world.allow.doors.iter().map(|door| door.object).collect();
+    if !facts.is_rectangle(region) || !facts.is_straight(region) || doors.contains(&other) || doors.len() > MOST_DOORS {
+        return Vec::new();
+    }
+    let Some(openings) = doors.iter().map(|d| opening(facts, *d)).collect::<Option<Vec<_>>>() else {
+        return Vec::new();
+    };
+    let (thing, room, height) = (facts.thing(other), floor(facts, region), facts.room(region).pos.0[1]);
+    if thing.axes.0[1].0[1].known() != Some(1.0) {
+        return Vec::new();
+    }
+    let (center, reach) = (thing.center(), thing.reach());
+    // A line through its middle is at least so long on both sides within it, however it is turned.
+    let is_along =
+        thing.axes.0[0].0.iter().all(|c| c.known().is_some_and(|c| c.abs() < TURNED || c.abs() > 1.0 - TURNED));
+    let least = thing.scale.0[0].min(thing.scale.0[2]).scale(0.5);
+    let half = [0, 2].map(|i| if is_along { reach.0[i] } else { least });
+    let at = [0, 2].map(|i| center.0[i]);
+    let [bottom, top] = [center.0[1] - reach.0[1], center.0[1] + reach.0[1]];
+    let mut stands = vec![
+        (height + Term::constant(HEAD) - bottom).at_least(ROUNDING),
+        (top - height - Term::constant(STEP)).at_least(ROUNDING),
+    ];
+    stands.extend([0, 1].map(|k| (room.half[k] - (at[k] - room.at[k]).abs()).at_least(ROUNDING)));
+    let ends = ends.map(|end| {
+        let thing = facts.thing(end);
+        (thing.center(), thing.reach())
+    });
+    let off = width.scale(0.5) + Term::constant(NEAR);
+    let follow = |axis: usize| {
+        let (line, k, i) = (at[axis], 1 - axis, 2 * axis);
+        let between = any(&[[0, 1], [1, 0]].map(|[p, q]| {
+            let ((from, at_from), (to, at_to)) = (ends[p], ends[q]);
+            all(&[
+                (line - from.0[i] - at_from.0[i] - off).at_least(ROUNDING),
+                (to.0[i] - at_to.0[i] - line - off).at_least(ROUNDING),
+            ])
+        }));
+        let mut ways: Vec<Claim> = [1.0, -1.0]
+            .map(|side| (room.half[k] - (at[k] - room.at[k]).scale(side) - half[k] - width).at_least(-SLACK))
+            .to_vec();
+        ways.extend(openings.iter().map(|o| (o.reach[axis] - (o.at[axis] - line).abs()).at_least(-ROUNDING)));
+        let premises: Vec<Claim> = stands.iter().copied().chain([between]).collect();
+        implies(all(&premises), any(&ways))
+    };
+    [0, 1].map(follow).into_iter().filter(|claim| *claim != Claim::TRUE).collect()
 }
 
 /// In the only room. If that is narrower than the disc, one end of the line across it is in an opening that reaches out of

@@ -48,7 +48,9 @@ impl Semantics for Reachable {
     fn bounds(call: &Call<'_, Term>, facts: &mut Unknowns<'_>) -> Result<Option<Truth<Term>>, EvalError> {
         let (from, to, width) = (call.object(0)?.0, call.object(1)?.0, call.number(2)?);
         let follow = passages::needed(facts, [from, to], width);
-        Ok(Some(claimed(facts.open(call.question()?, &follow))))
+        let claim = facts.open(call.question()?, &follow);
+        facts.paths.push((claim, [from, to], width));
+        Ok(Some(claimed(claim)))
     }
 
     fn words(call: &Call<'_, f64>, names: &Program) -> Option<String> {

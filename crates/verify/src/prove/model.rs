@@ -9,7 +9,7 @@ use super::problem::{Problem, reached};
 use super::tape::{Claim, Tape, Term, all, any, implies, look, open};
 use super::unknowns::{OUT_OF_BOX, Unknowns, is_box};
 use super::usual::Usual;
-use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, region_in_proofs};
+use crate::builtins::{collides_in_proofs, declared, gap_is_in_proofs, path_past_in_proofs, region_in_proofs};
 use crate::eval::{Scratch, Value};
 use crate::number::{Algebra, Logic};
 use crate::rules::{Scope, Support};
@@ -144,6 +144,7 @@ impl ClaimModel {
             builder.statement(&mut unknowns, statement, true);
         }
         builder.spaces(&mut unknowns);
+        builder.paths(&mut unknowns);
         let mut groups = Vec::new();
         if choice.rules != Rules::None && options.physics {
             builder.bounds(&mut unknowns, choice.statements);
@@ -314,6 +315,23 @@ impl Builder<'_> {
                 let what = GivenSource::Rule(format!("`{name}` is not in the free space beside `{of}`"));
                 let premises = rests(unknowns, &[owner, other], &[]);
                 self.given.push(Given { claim: implies(free, apart), what, premises, part: 0 });
+            }
+        }
+    }
+
+    /// Paths that are said to be there: they lead past what stands in the room.
+    fn paths(&mut self, unknowns: &mut Unknowns<'_>) {
+        let doors: Vec<ObjectId> = unknowns.world.allow.doors.iter().map(|door| door.object).collect();
+        for (open, ends, width) in std::mem::take(&mut unknowns.paths) {
+            for &other in self.objects.clone().iter().filter(|o| !ends.contains(o)) {
+                let [from, to, name] = [ends[0], ends[1], other].map(|id| self.name(id));
+                let what = format!("`{name}` is in the way from `{from}` to `{to}`");
+                let spoken: Vec<ObjectId> = ends.iter().chain(&doors).copied().chain([other]).collect();
+                let premises = rests(unknowns, &spoken, &unknowns.regions());
+                for past in path_past_in_proofs(unknowns, ends, width, other) {
+                    let (claim, what) = (implies(open, past), GivenSource::Rule(what.clone()));
+                    self.given.push(Given { claim, what, premises: premises.clone(), part: 0 });
+                }
             }
         }
     }

@@ -67,6 +67,8 @@ pub(crate) struct Unknowns<'p> {
     points: FxHashMap<ObjectId, V3<Term>>,
     /// Spaces beside objects, with the claims that they are free.
     pub spaces: Vec<(Claim, ObjectId, ObjectInstance<Term>)>,
+    /// Claims that there is a path, with its ends and its width.
+    pub paths: Vec<(Claim, [ObjectId; 2], Term)>,
     /// Directions with the angles between them that claims speak of.
     pub angles: Vec<([V3<Term>; 2], Term)>,
     /// Objects of which a component of the rotation is read.
@@ -177,6 +179,7 @@ impl<'p> Unknowns<'p> {
             spans: Vec::new(),
             points: FxHashMap::default(),
             spaces: Vec::new(),
+            paths: Vec::new(),
             angles: Vec::new(),
             turned: FxHashSet::default(),
             sights: Vec::new(),
