@@ -217,20 +217,20 @@ impl Welded {
     }
 }
 
-/// The faces, sorted into pieces: faces that share an edge with no third one belong together. Where solids touch along an
-/// edge, four faces meet there.
+/// The faces, sorted into pieces: faces that run along an edge in opposite directions belong together. Where solids touch along
+/// an edge there are four; the faces of a solid come one after the other, so each meets one of its own first.
 fn pieces(faces: &[[u32; 3]]) -> Vec<Vec<usize>> {
-    let mut at: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
-    for (face, [a, b, c]) in faces.iter().enumerate() {
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            at.entry([*from.min(to), *from.max(to)]).or_default().push(face);
-        }
-    }
+    let mut single: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
     let mut next: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
-    for shared in at.values() {
-        if let [one, other] = shared[..] {
-            next[one].push(other);
-            next[other].push(one);
+    for (face, &[a, b, c]) in faces.iter().enumerate() {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            match single.get_mut(&[to, from]).and_then(Vec::pop) {
+                Some(other) => {
+                    next[face].push(other);
+                    next[other].push(face);
+                }
+                None => single.entry([from, to]).or_default().push(face),
+            }
         }
     }
     let (mut found, mut seen) = (Vec::new(), vec![false; faces.len()]);
