@@ -55,8 +55,10 @@ def driven(joint, motion):
     way = 1.0 if abs(high) >= abs(low) else -1.0
     force = float(model.dof_frictionloss[velocity]) + GENTLE[motion] * float(model.dof_damping[velocity])
     rested = 0.0
+    mujoco.mj_forward(model, data)
     for _ in range(round(LONGEST / model.opt.timestep)):
-        data.qfrc_applied[velocity] = way * force
+        # A lid is lifted: its weight is carried.
+        data.qfrc_applied[velocity] = way * force + data.qfrc_bias[velocity]
         mujoco.mj_step(model, data)
         rested = rested + model.opt.timestep if abs(data.qvel[velocity]) < STILL else 0.0
         if rested > RESTED:

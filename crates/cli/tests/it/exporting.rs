@@ -1,6 +1,6 @@
 //! `export`, and which formats it and `synth` write.
 
-use crate::support::{Ended, binary, python, run, scenelang, skip};
+use crate::support::{Ended, binary, folder_of, python, run, scenelang, skip};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
@@ -174,6 +174,29 @@ fn a_trial_says_what_overlaps_and_what_moves() {
     let ended = tried(&[]);
     assert_eq!(ended.code, 1, "{}{}", ended.stdout, ended.stderr);
     assert!(ended.stdout.contains("bed moves by "), "{}", ended.stdout);
+}
+
+/// What is lifted against its weight is driven as far as what is pulled.
+#[test]
+fn lids_and_doors_are_driven_as_far_as_they_go() {
+    let Some(python) = python() else { return skip("nothing driven: no .venv") };
+    let program = "region room;\nroom.scale <- vec3(3, 2.6, 3);\nobject toilet; toilet.category <- \"toilet\";\n\
+                   object stove; stove.category <- \"gas stove\";\nassert againstWall(toilet, room) and againstWall(stove, room);\n\
+                   assert gap(toilet, stove) >= 1;\nassert clear(toilet, front, 0.6) and clear(stove, front, 0.8);\n";
+    let folder = folder_of(&[("room.scene", program)]);
+    let ended = scenelang(folder.path(), ["synth", "room.scene", "-o", "out", "--only", "mjcf"]);
+    assert_eq!(ended.code, 0, "{}{}", ended.stdout, ended.stderr);
+    let command = &mut binary();
+    command.args(["export", "out/room.layout.json", "-o", "tried", "--only", "mjcf", "--try", "--format", "json"]);
+    let ended = run(command.env("SCENELANG_PYTHON", &python).current_dir(folder.path()), b"");
+    let told: Value = serde_json::from_str(&ended.stdout).unwrap();
+    let joints = told["trial"]["joints"].as_array().unwrap();
+    assert!(joints.len() >= 2, "{told}");
+    for joint in joints {
+        let [reach, limit] = ["reach", "limit"].map(|key| joint[key].as_f64().unwrap());
+        let least = if joint["motion"] == "hinge" { 1.0 } else { 0.005 };
+        assert!(limit - reach <= least, "{joint}");
+    }
 }
 
 #[test]
