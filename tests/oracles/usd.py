@@ -1,4 +1,4 @@
-"""Validates USD files with all validators of Pixar's own library and with NVIDIA's asset validator.
+"""Validates USD files with all validators of Pixar's own library and, where it can be installed, with NVIDIA's asset validator.
 
 usage: usd.py FILE.usda FILE.usdz …
 
@@ -11,8 +11,12 @@ import logging
 import os
 import sys
 
-from omni.asset_validator import UsdAsciiPerformanceChecker, ValidationEngine
 from pxr import Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, UsdUtils, UsdValidation
+
+try:
+    from omni.asset_validator import UsdAsciiPerformanceChecker, ValidationEngine
+except ImportError:  # it is not there for the latest Python
+    ValidationEngine = None
 
 
 def bodies(stage):
@@ -54,7 +58,8 @@ def pictures(stage, path):
 def judge(path, context, engine):
     stage = Usd.Stage.Open(path)
     issues = [f"{e.GetName()}: {e.GetMessage()}" for e in context.Validate(stage)]
-    issues += [f"{i.rule.__name__ if i.rule else ''}: {i.message} {i.at}" for i in engine.validate(path).issues()]
+    if engine:
+        issues += [f"{i.rule.__name__ if i.rule else ''}: {i.message} {i.at}" for i in engine.validate(path).issues()]
     wrong, loose = bodies(stage)
     elsewhere, textured = pictures(stage, path)
     wrong += elsewhere
@@ -73,9 +78,10 @@ def main():
     validators = registry.GetOrLoadAllValidators()
     context = UsdValidation.ValidationContext(validators)
     logging.disable(logging.CRITICAL)
-    engine = ValidationEngine(init_rules=True)
-    # It asks for binary files, which cannot be read by people or compared in a repository.
-    engine.disable_rule(UsdAsciiPerformanceChecker)
+    engine = ValidationEngine(init_rules=True) if ValidationEngine else None
+    if engine:
+        # It asks for binary files, which cannot be read by people or compared in a repository.
+        engine.disable_rule(UsdAsciiPerformanceChecker)
     print(json.dumps({"validators": len(validators)}))
     try:
         found = [judge(path, context, engine) for path in sys.argv[1:]]
