@@ -97,7 +97,7 @@ impl Near {
         if self.row.is_some() {
             return None;
         }
-        let [[column, line], _] = self.range(&Span { min: [x, 0.0, z], max: [x, 0.0, z] });
+        let [[column, _], [line, _]] = self.range(&Span { min: [x, 0.0, z], max: [x, 0.0, z] });
         self.cells.get(line * self.size[0] + column).map(Vec::as_slice)
     }
 
@@ -182,4 +182,30 @@ impl Row {
 
 fn within([row, _]: [usize; 2], [x, z]: [[usize; 2]; 2]) -> impl Iterator<Item = usize> {
     (z[0]..=z[1]).flat_map(move |z| (x[0]..=x[1]).map(move |x| z * row + x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Field, MANY, Near, Span};
+
+    #[test]
+    fn what_is_over_a_point_is_found_in_its_cell() {
+        let mut near = Near::new(Some(Field { min: [-3.0, 1.0], max: [9.0, 5.0] }), MANY);
+        let boxes: Vec<Span> = (0..MANY)
+            .map(|i| {
+                let [x, z] = [-4.0 + 0.17 * i as f64, 0.5 + 0.6 * (i % 9) as f64];
+                Span { min: [x, 0.0, z], max: [x + 0.9, 1.0, z + 0.4] }
+            })
+            .collect();
+        boxes.iter().enumerate().for_each(|(i, span)| near.set(i, span));
+        for span in &boxes {
+            for [x, z] in [[span.min[0], span.max[2]], [span.max[0], span.min[2]]] {
+                let over =
+                    |span: &&Span| (span.min[0]..=span.max[0]).contains(&x) && (span.min[2]..=span.max[2]).contains(&z);
+                let found = near.at([x, z]).unwrap_or_default();
+                let missing = boxes.iter().enumerate().find(|(i, span)| over(span) && !found.contains(i));
+                assert!(missing.is_none(), "over {x}, {z}: {missing:?} is not among {found:?}");
+            }
+        }
+    }
 }
