@@ -67,6 +67,8 @@ struct WireRoom {
     only: bool,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     palette: Vec<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    style: Option<String>,
     #[serde(default, skip_serializing_if = "plain")]
     floor: WireLook,
     #[serde(default, skip_serializing_if = "plain")]
@@ -239,6 +241,7 @@ impl Wire {
             people: room.people,
             only: room.only,
             palette: room.palette.clone(),
+            style: room.style.map(str::to_owned),
             floor: WireLook::of(&room.floor),
             walls: WireLook::of(&room.walls),
             source: WireSource::of(&room.source, request),
@@ -404,6 +407,7 @@ impl Scope<'_> {
             only: room.only,
             // Completion decides it.
             usual: None,
+            style: room.style.and_then(|style| crate::furnish::styles::named(&style)).map(|style| style.name),
             palette: room.palette.iter().filter_map(|color| crate::colors::known(color)).collect(),
             floor: room.floor.look(),
             walls: room.walls.look(),

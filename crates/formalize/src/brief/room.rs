@@ -21,6 +21,8 @@ pub struct Room {
     pub usual: Option<[f64; 3]>,
     /// The colours that it is to have, if the request names some for the whole room.
     pub palette: Vec<String>,
+    /// The style that it is to have, as `data/styles.txt` calls it: "art deco".
+    pub style: Option<&'static str>,
     pub floor: Look,
     pub walls: Look,
     /// Where it comes from.

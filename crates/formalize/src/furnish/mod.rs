@@ -36,6 +36,7 @@ mod spots;
 mod spread;
 mod stacks;
 pub(crate) mod stand;
+pub(crate) mod styles;
 mod taste;
 mod tell;
 mod tops;
@@ -52,6 +53,7 @@ pub(crate) use gates::GATE;
 use number::{Scale, scale};
 pub(crate) use palette::paint;
 use plan::RULED_OUT;
+pub(crate) use taste::style;
 
 /// Why a robot has a fence that nobody asked for.
 pub(crate) const FENCED: &str = "a robot works behind a fence";

@@ -7,7 +7,8 @@ use super::kinds::{FurnishingKind, PlanPlace, seats_all};
 use super::slots::{
     CORNER_TABLE, Level, Sizes, Slot, Taken, boards, capacity, in_corner, in_row, is_beside_books, slots,
 };
-use super::{place, stand, taste, tops};
+use super::taste::Taste;
+use super::{place, stand, tops};
 use crate::brief::Group;
 use crate::draft::{Demand, Draft, DraftThing, OpeningKind, Statement, ThingOrigin};
 use crate::names::{GivenNames, identifier, mentions};
@@ -47,6 +48,7 @@ pub struct Plan<'a> {
     pub draft: &'a mut Draft,
     pub room: usize,
     pub kind: &'static FurnishingKind,
+    pub taste: Taste,
     pub names: GivenNames,
     /// Nouns that are asked for or ruled out.
     closed: Vec<String>,
@@ -124,6 +126,7 @@ impl<'a> Plan<'a> {
             draft,
             room,
             kind,
+            taste: Taste::new(kind, None),
             names,
             closed,
             counted: 0.0,
@@ -262,7 +265,7 @@ impl<'a> Plan<'a> {
 
     /// Adds a thing, or several like ones; its index among the things.
     pub fn add(&mut self, noun: &str, count: usize, size: [f64; 3], why: &str) -> usize {
-        let mut look = taste::look(self.kind, noun, self.turn);
+        let mut look = self.taste.look(noun, self.turn);
         let category = noun.replace(' ', "_");
         let mut like = self.draft.things.iter().filter(|t| t.room == Some(self.room) && t.category == category);
         match like.find_map(|t| t.look.color.clone().filter(|_| matches!(t.source, ThingOrigin::Inferred(_)))) {

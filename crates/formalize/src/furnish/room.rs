@@ -9,7 +9,8 @@ use super::openings;
 use super::order::Order;
 use super::plan::{Plan, for_people};
 use super::rows::is_desk;
-use super::{asked, gates, hang, stand, taste, tops};
+use super::taste::{self, Taste};
+use super::{asked, gates, hang, stand, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, DraftThing, ThingOrigin};
 
@@ -94,12 +95,15 @@ pub fn furnish_once(
     let windows = brief.things.iter().any(|t| t.room == at && t.group == Group::Window)
         || closed.iter().any(|name| name.ends_with("window") || name.ends_with("windows"))
         || draft.outdoor;
+    let taste = Taste::new(kind, brief.rooms[at].style);
     let room = &mut draft.rooms[at];
-    taste::surfaces(kind, &mut room.floor, &mut room.walls);
+    taste.surfaces(&mut room.floor, &mut room.walls);
+    let mut turn = 0;
     for it in draft.things.iter_mut().filter(|it| it.room == Some(at)) {
-        taste::dressed(kind, &it.category, &mut it.look);
+        taste.dress(&it.category, &mut it.look, &mut turn);
     }
     let mut plan = Plan::new(draft, at, kind, closed.to_vec(), brief.rooms[at].people);
+    (plan.taste, plan.turn) = (taste, turn);
     (plan.only, plan.counted) = (brief.rooms[at].only, counted);
     if !windows {
         add_windows(&mut plan);

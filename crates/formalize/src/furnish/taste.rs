@@ -1,6 +1,8 @@
 //! Materials and colours of what is added.
 
-use super::kinds::FurnishingKind;
+use super::kinds::{self, FurnishingKind};
+use super::styles::{self, Style};
+use crate::brief::Brief;
 use crate::draft::{Draft, DraftThing, Look, Surface, ThingOrigin};
 
 /// What is made of cloth, or stands out by its colour.
@@ -105,34 +107,75 @@ pub fn is_colored(noun: &str) -> bool {
     COLORED.iter().any(|c| *c == noun || *c == last)
 }
 
-/// The look of something of a kind of room; `turn` goes through the colours.
-pub fn look(kind: &FurnishingKind, noun: &str, turn: usize) -> Look {
-    let last = noun.rsplit(' ').next().unwrap_or(noun);
-    let mut look = Look::default();
-    if noun == "picture" {
-        // Another kind of room begins with another.
-        let first: usize = kind.name.bytes().map(usize::from).sum();
-        look.features.push(SHOWN[(first + turn) % SHOWN.len()].to_owned());
-    }
-    if UPHOLSTERED.contains(&noun) {
-        look.material = Some("fabric".to_owned());
-        look.color = kind.colors.first().map(|color| (*color).to_owned());
-        return look;
-    }
-    if is_colored(noun) && !kind.colors.is_empty() {
-        look.color = Some(kind.colors[turn % kind.colors.len()].to_owned());
-    } else if STEEL.contains(&noun) {
-        look.material = Some("steel".to_owned());
-    } else if (WOODEN.contains(&last) && !NOT_WOODEN.contains(&noun)) || noun == "kitchen sink" {
-        look.material = Some(kind.wood.to_owned());
-    }
-    look
+/// What decides how a room looks: its kind, and the style that the request names for it, if any.
+#[derive(Clone, Copy, Debug)]
+pub struct Taste {
+    kind: &'static FurnishingKind,
+    style: Option<&'static Style>,
 }
 
-/// What of which no look is said is made of the wood of the room.
-pub fn dressed(kind: &FurnishingKind, category: &str, look: &mut Look) {
-    if look.color.is_none() && look.material.is_none() {
-        look.material = self::look(kind, &category.replace('_', " "), 0).material;
+impl Taste {
+    pub fn new(kind: &'static FurnishingKind, style: Option<&str>) -> Self {
+        Self { kind, style: style.and_then(styles::named) }
+    }
+
+    fn colors(&self) -> &'static [&'static str] {
+        self.style.map_or(&self.kind.colors, |style| &style.colors)
+    }
+
+    fn wood(&self) -> &'static str {
+        self.style.map_or(self.kind.wood, |style| style.wood)
+    }
+
+    /// The look of something that is added; `turn` goes through the colours.
+    pub fn look(&self, noun: &str, turn: usize) -> Look {
+        let (last, colors) = (noun.rsplit(' ').next().unwrap_or(noun), self.colors());
+        let mut look = Look::default();
+        if noun == "picture" {
+            // Another kind of room begins with another.
+            let first: usize = self.kind.name.bytes().map(usize::from).sum();
+            look.features.push(SHOWN[(first + turn) % SHOWN.len()].to_owned());
+        }
+        if UPHOLSTERED.contains(&noun) {
+            look.material = Some("fabric".to_owned());
+            look.color = colors.first().map(|color| (*color).to_owned());
+            return look;
+        }
+        if is_colored(noun) && !colors.is_empty() {
+            look.color = Some(colors[turn % colors.len()].to_owned());
+        } else if STEEL.contains(&noun) {
+            look.material = Some("steel".to_owned());
+        } else if (WOODEN.contains(&last) && !NOT_WOODEN.contains(&noun)) || noun == "kitchen sink" {
+            look.material = Some(self.wood().to_owned());
+        }
+        look
+    }
+
+    /// What is asked for and of which no look is said is made of the wood of the room; where the room has a style, textiles
+    /// have its colours, in turn.
+    pub fn dress(&self, category: &str, look: &mut Look, turn: &mut usize) {
+        if look.color.is_some() || look.material.is_some() {
+            return;
+        }
+        let usual = self.look(&category.replace('_', " "), *turn);
+        look.material = usual.material;
+        if self.style.is_some() && usual.color.is_some() {
+            look.color = usual.color;
+            *turn += 1;
+        }
+    }
+
+    /// The floor and the walls, as far as nothing is said of them.
+    pub fn surfaces(&self, floor: &mut Surface, walls: &mut Surface) {
+        let said = |name: &str| Some(name.to_owned()).filter(|name| !name.is_empty());
+        if floor.material.is_none() && floor.color.is_none() {
+            let (material, color) = self.style.map_or(self.kind.floor, |style| style.floor);
+            (floor.material, floor.color) = (said(material), said(color));
+        }
+        if walls.material.is_none() && walls.color.is_none() {
+            let (material, color) = self.style.map_or(("", self.kind.walls), |style| style.walls);
+            (walls.material, walls.color) = (said(material), said(color));
+        }
     }
 }
 
@@ -148,13 +191,11 @@ pub fn fitted(draft: &mut Draft, at: usize) {
     }
 }
 
-/// The floor and the walls of a room of a kind, as far as nothing is said of them.
-pub fn surfaces(kind: &FurnishingKind, floor: &mut Surface, walls: &mut Surface) {
-    if floor.material.is_none() && floor.color.is_none() {
-        floor.material = Some(kind.floor.0.to_owned());
-        floor.color = Some(kind.floor.1.to_owned()).filter(|c| !c.is_empty());
-    }
-    if walls.material.is_none() && walls.color.is_none() {
-        walls.color = Some(kind.walls.to_owned());
+/// Floors and walls of rooms that are to have a style, in a draft to which nothing is added.
+pub fn style(draft: &mut Draft, brief: &Brief) {
+    for (room, asked) in draft.rooms.iter_mut().zip(&brief.rooms).filter(|(_, asked)| asked.style.is_some()) {
+        if let Some(kind) = kinds::of(&room.kind).or_else(|| kinds::of("room")) {
+            Taste::new(kind, asked.style).surfaces(&mut room.floor, &mut room.walls);
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! What walls and floors look like, said among the things of a room: "a bedroom with blue walls and a bed" becomes "a bedroom
-//! with a bed. The walls are blue". Likewise "in a modern style": "a modern bedroom".
+//! with a bed. The walls are blue".
 
 use super::account::turns;
 use super::lexicon::{LookWord, MATERIALS_AND_SHADES, get, singular};
@@ -21,13 +21,10 @@ struct Finish {
     noun: usize,
 }
 
-/// Moves finishes into sentences of their own, and styles before the room.
+/// Moves finishes into sentences of their own.
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        if style(tokens, i) {
-            continue;
-        }
         tiled(tokens, i);
         two_colors(tokens, i);
         match finish(tokens, i).filter(|finish| is_plain(tokens, finish)) {
@@ -153,25 +150,6 @@ fn move_out(tokens: &mut Vec<Token>, finish: &Finish) {
     }
 }
 
-/// "In a modern style" at the end of what is said of a room: its first word.
-fn style(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if word(tokens, i) != "in" {
-        return false;
-    }
-    let from = i + 1 + usize::from(matches!(word(tokens, i + 1), "a" | "an" | "the"));
-    let is_look = |text: &str| get().look(text) == Some(LookWord::Feature);
-    let sentence = sentence(tokens, i);
-    let begins = matches!(word(tokens, sentence.start), "a" | "an" | "the");
-    if word(tokens, from + 1) != "style" || !is_look(word(tokens, from)) || !begins {
-        return false;
-    }
-    let mut look = tokens[from].clone();
-    look.at = tokens[i].at.start..tokens[from + 1].at.end;
-    tokens.drain(i..from + 2);
-    tokens.insert(sentence.start + 1, look);
-    true
-}
-
 /// The sentence around a token, without what ends it.
 pub(super) fn sentence(tokens: &[Token], i: usize) -> Range<usize> {
     let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
@@ -202,7 +180,6 @@ mod tests {
             ),
             ("the office has a desk and concrete floors.", "the office has a desk . the floor is concrete ."),
             ("a kitchen with walls painted green, and a table", "a kitchen with a table . the walls are green"),
-            ("a bedroom in a modern style with a bed.", "a modern bedroom with a bed ."),
             ("a loft with exposed brick walls.", "a loft . the walls are brick ."),
             (
                 "a kitchen with white tiles, a dark floor and a table.",

@@ -52,6 +52,7 @@ pub(crate) mod several;
 mod shares;
 mod sight;
 mod spelling;
+mod style;
 mod taken_back;
 mod talk;
 mod token;
@@ -126,6 +127,7 @@ pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
     counts::none(&mut tokens);
     let places = numbered::plain(&mut tokens);
+    let styles = style::lift(&mut tokens);
     finishes::plain(&mut tokens);
     talk::asking(&mut tokens);
     buildings::plain(&mut tokens);
@@ -163,6 +165,7 @@ pub fn brief(request: &str) -> Brief {
         if let Some(colors) = colors {
             palette::say(&mut brief.rooms, colors);
         }
+        style::say(&mut brief.rooms, &styles, request);
         for said in homes::children(&tokens) {
             used[said] = true;
         }
@@ -219,6 +222,7 @@ pub fn of_brief(mut brief: Brief, options: &Options) -> Reading {
     let unknown = unknown::notes(&brief);
     let brief = complete(brief, Extent::Literal);
     let mut draft = compose(&brief);
+    crate::furnish::style(&mut draft, &brief);
     crate::furnish::paint(&mut draft, &brief);
     draft.notes.splice(0..0, brief.notes.iter().cloned().chain(unknown));
     let people = brief.rooms.iter().find_map(|room| room.people);
