@@ -15,6 +15,8 @@ mod aisles;
 mod amounts;
 mod annexes;
 mod areas;
+mod asides;
+mod beyond;
 mod buildings;
 mod chunk;
 mod clause;
@@ -51,6 +53,7 @@ mod seated;
 pub(crate) mod several;
 mod shares;
 mod sight;
+mod slips;
 mod spelling;
 mod style;
 mod taken_back;
@@ -125,6 +128,7 @@ const MOST_WORDS: usize = 12_000;
 /// Reads a request as a brief. Any text will do; of one that is no English nothing comes but notes.
 pub fn brief(request: &str) -> Brief {
     let (mut tokens, end) = token::tokens(request, MOST_WORDS);
+    slips::correct(&mut tokens);
     counts::none(&mut tokens);
     let places = numbered::plain(&mut tokens);
     let styles = style::lift(&mut tokens);

@@ -9,12 +9,14 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 72] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 74] = [
             super::spelling::plain,
             super::activities::plain,
             super::amounts::plain,
             super::whereabouts::plain,
             super::palette::plain,
+            super::beyond::plain,
+            super::asides::plain,
             super::annexes::plain,
             super::each_with::plain,
             super::free_floor::plain,
@@ -406,7 +408,7 @@ fn opposite(tokens: &mut Vec<Token>, i: usize) -> bool {
     // "the opposite", "directly opposite" and "the one opposite" are of something else.
     let said = said && !matches!(word(tokens, i - 1), "the" | "an" | "one" | "directly" | "right");
     if said {
-        let what = before(tokens, i).unwrap_or_default();
+        let what = before(tokens, i).or_else(|| at_wall(tokens, i)).unwrap_or_default();
         put(tokens, i, i + 1, &["opposite", if what.is_empty() { "it" } else { "the" }]);
         tokens.splice(i + 2..i + 2, what);
     }
@@ -464,6 +466,19 @@ fn opposite_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
         tokens.splice(join..join, words);
     }
     many
+}
+
+/// "A bed against the left wall … a wardrobe opposite": what a sentence before said to be at a wall.
+fn at_wall(tokens: &[Token], i: usize) -> Option<Vec<Token>> {
+    let sentence = (0..i).rev().find(|k| tokens[*k].is("."))?;
+    let at = |k: &usize| {
+        matches!(word(tokens, *k), "against" | "along" | "on" | "at")
+            && (k + 2..k + 4).any(|wall| word(tokens, wall) == "wall")
+    };
+    let wall = (0..sentence).rev().find(at)?;
+    let name =
+        (wall.saturating_sub(4)..wall).find_map(|k| super::shares::noun(tokens, k).filter(|name| name.end == wall))?;
+    (singular(&tokens[wall - 1].text) == tokens[wall - 1].text).then(|| tokens[name].to_vec())
 }
 
 /// "Chairs in front of mirrors and a bench opposite": opposite the mirrors, at which the chairs look.

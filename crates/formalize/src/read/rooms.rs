@@ -88,6 +88,8 @@ impl Rooms {
     }
 }
 
+/// What parts of rooms are called, as well as rooms.
+const AREAS: [&str; 6] = ["area", "corner", "nook", "space", "zone", "lounge"];
 /// The kind of what is under the open sky.
 const OUTDOORS: &str = "terrace";
 /// More rooms than this are not told apart.
@@ -413,7 +415,12 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
     // "A reception with a counter, and behind it an office".
     let it = matches!(before, Some(ChunkPiece::Np(np)) if np.kind == NounKind::Pronoun);
     let beyond = one && it && matches!(before2, Some(ChunkPiece::Rel(_))) && joins(i.checked_sub(3).and_then(piece));
-    let added = (next || beyond) && chunks[..i].iter().any(|c| c.np().is_some_and(|n| n.kind == NounKind::Room));
+    // "There is a waiting room with chairs", "A waiting room with chairs": a sentence of its own. An area may be a part of a room.
+    let is_area = chunks[i].np().is_some_and(|np| np.words.last().is_some_and(|last| AREAS.contains(&last.as_str())));
+    let told =
+        one && !is_area && (start || before == Some(&ChunkPiece::There)) && matches!(after, Some(ChunkPiece::With));
+    let added =
+        (next || beyond || told) && chunks[..i].iter().any(|c| c.np().is_some_and(|n| n.kind == NounKind::Room));
     sized || led || heading || subject || opens || joined || added || first && !beside && !to
 }
 

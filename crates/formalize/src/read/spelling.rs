@@ -48,11 +48,14 @@ fn covering(tokens: &mut Vec<Token>, i: usize) -> bool {
     let that = usize::from(matches!(word(tokens, i), "that" | "which"));
     let covers = matches!(word(tokens, i + that), "covering" | "cover" | "lining" | "filling");
     let (first, second) = (word(tokens, i + that + 1), word(tokens, i + that + 2));
-    let walls =
-        matches!(first, "two" | "three" | "both" | "all" | "one") && matches!(second, "walls" | "wall" | "of" | "the");
+    let side = matches!(second, "side" | "long" | "short") && word(tokens, i + that + 3) == "walls";
+    let walls = matches!(first, "two" | "three" | "both" | "all" | "one")
+        && (side || matches!(second, "walls" | "wall" | "of" | "the"));
     let said = covers && walls && i > 0 && tokens[i - 1].word();
     if said {
-        put(tokens, i, i + that + 1, &["along"]);
+        let should =
+            usize::from(that == 0 && matches!(word(tokens, i - 1), "should" | "must" | "will" | "shall") && i > 1);
+        put(tokens, i - should, i + that + 1, &["along"]);
     }
     said
 }

@@ -55,6 +55,16 @@ fn coming_in(tokens: &mut Vec<Token>, i: usize) -> bool {
         ["enter", _] => at + 3,
         _ => return false,
     };
+    // "… and a bench on the left": what is said next of the other side is seen from there, too.
+    let other = if side_word == "left" { "right" } else { "left" };
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':'));
+    let until = tokens[end..].iter().position(stops).map_or(tokens.len(), |n| end + n);
+    let is_other = |k: &usize| {
+        matches!(word(tokens, *k), "on" | "to") && word(tokens, k + 1) == "the" && word(tokens, k + 2) == other
+    };
+    if let Some(k) = (end..until).find(|k| is_other(k) && ends(tokens, k + 3)) {
+        put(tokens, k, k + 3, &["along", "the", other, "wall"]);
+    }
     put(tokens, i, end, &["along", "the", &side_word, "wall"]);
     true
 }
@@ -185,6 +195,11 @@ fn with_placed(tokens: &mut [Token], i: usize) -> bool {
     let Some(name) = noun(tokens, i + 1 + article) else { return false };
     let is_one = article == 1 || plural(word(tokens, name.end - 1));
     let at = name.end;
+    let shown = matches!(singular(word(tokens, i - 1)).as_str(), "plinth" | "pedestal" | "podium" | "sideboard");
+    if let Some(end) = of_room(tokens, at).filter(|_| is_one && (shown || carried(&singular(word(tokens, at - 1))))) {
+        tokens[i..end].rotate_left(at - i);
+        return true;
+    }
     let by = match [word(tokens, at), word(tokens, at + 1), word(tokens, at + 2)] {
         ["next", "to", _] => 2,
         ["in", "front", "of"] => 3,
@@ -203,6 +218,32 @@ fn with_placed(tokens: &mut [Token], i: usize) -> bool {
     }
     tokens[i..what.end].rotate_left(at - i);
     true
+}
+
+/// Where a place in the room ends that begins here: "on the opposite wall", "in the middle", "in the centre of the room".
+fn of_room(tokens: &[Token], at: usize) -> Option<usize> {
+    let the = matches!(word(tokens, at + 1), "the" | "a" | "one");
+    let wall = (at + 2..at + 5).find(|k| word(tokens, *k) == "wall");
+    let end = match word(tokens, at) {
+        "on" | "along" | "against" | "at" => {
+            let wall = wall?;
+            let which = |k: usize| {
+                get().is_look(word(tokens, k))
+                    || matches!(
+                        word(tokens, k),
+                        "back" | "front" | "left" | "right" | "far" | "opposite" | "other" | "side"
+                    )
+            };
+            (at + 2..wall).all(which).then_some(wall + 1)?
+        }
+        "in" if matches!(word(tokens, at + 2), "middle" | "centre" | "center") => {
+            let room = word(tokens, at + 3) == "of" && matches!(word(tokens, at + 5), "room" | "space" | "hall");
+            at + 3 + if room { 3 } else { 0 }
+        }
+        "in" if matches!(word(tokens, at + 3), "zone" | "area" | "part") => at + 4,
+        _ => return None,
+    };
+    (the && ends(tokens, end)).then_some(end)
 }
 
 /// "Shelves down the left side": along the left wall.
@@ -256,7 +297,17 @@ mod tests {
                 "the counter is on the left as you come in, then tables",
                 "the counter is along the left wall , then tables",
             ),
+            (
+                "the till on the right as you come in, a bench on the left, and a lamp",
+                "the till along the right wall , a bench along the left wall , and a lamp",
+            ),
             ("a lamp on the left of the bed", "a lamp on the left of the bed"),
+            (
+                "a sideboard with a vase on the opposite wall. a rug",
+                "a sideboard on the opposite wall with a vase . a rug",
+            ),
+            ("a desk with a lamp against the back wall, a chair", "a desk against the back wall with a lamp , a chair"),
+            ("a desk with a lamp on the left", "a desk with a lamp on the left"),
             ("four tables along the big front window", "four tables near the window"),
             ("tables along the wall with a window", "tables along the wall with a window"),
             (

@@ -89,6 +89,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             && let Some((at, kind)) = room_of(&tokens[..from])
             // "A hotel with a lobby, a lounge and a bar": rooms, each of them.
             && (end > i + 1 || begin(tokens, at).is_none())
+            && !is_told_of(tokens, i, end)
         {
             replace(tokens, zone, kind, from, end);
         } else if let Some(words) = thing(tokens, i)
@@ -101,6 +102,13 @@ pub fn plain(tokens: &mut Vec<Token>) {
         }
         i += 1;
     }
+}
+
+/// Whether a part is spoken of again with its name: "The waiting area has six chairs" tells what is in it.
+fn is_told_of(tokens: &[Token], from: usize, end: usize) -> bool {
+    let is_again = |at: usize| (0..end - from).all(|k| tokens[at + k].text == tokens[from + k].text);
+    let told = |at: &usize| is_again(*at) && ["a", "an", "the"].iter().any(|article| tokens[at - 1].is(article));
+    (end + 1..(tokens.len() + from + 1).saturating_sub(end)).any(|at| told(&at))
 }
 
 /// Turns "a reading corner in a bedroom", with which a request begins, into "a bedroom with a reading corner".

@@ -56,6 +56,9 @@ impl Named<'_> {
                 if let Some(text) = self.side(a, which) {
                     say(text);
                 }
+                if let Some(text) = self.middle_of_wall(a, which) {
+                    say(text);
+                }
             }
             Place::Wall => {
                 say(self.all(a, |x| match deep {
@@ -146,6 +149,16 @@ impl Named<'_> {
             return Some(format!("abs(dot({name}.center - {room}.center, {name}.right)) <= {OFF}"));
         }
         (is("opposite") && self.counts[a] == 2).then(|| format!("dot({name}[0].front, {name}[1].front) <= -0.9"))
+    }
+
+    /// In the middle of the wall that an opening is in.
+    fn middle_of_wall(&self, a: usize, which: &[String]) -> Option<String> {
+        const OFF: &str = "0.2";
+        let (room, name) = (self.room(a), self.name(a));
+        let is_middle = which.iter().any(|word| matches!(word.as_str(), "middle" | "center" | "centre"));
+        let (axis, _) = which.iter().find_map(|word| direction(word)).filter(|_| is_middle && self.counts[a] == 1)?;
+        let along = if axis == 'x' { 'z' } else { 'x' };
+        Some(format!("abs({name}.center.{along} - {room}.center.{along}) <= {OFF}"))
     }
 
     /// Where a thing must not stand; `None`: no statement denies this place.

@@ -1,0 +1,232 @@
+//! Short ways to say what has been named already or goes without saying: "three lower ones", "the biggest painting", "the
+//! sink facing the window", "1.2 m clear to the door", "lots of neon".
+
+use super::lexicon::{get, plural, singular};
+use super::paraphrase::{ends, put, word};
+use super::shares::noun;
+use super::token::{Token, WordKind};
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] =
+        [ones, biggest, racks, sink, wall_side, right_hand, cleared, neon, under_seating, partitions];
+    turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "Bookcases along the walls, plus three lower double sided ones": three lower double-sided bookcases.
+fn ones(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) == "double" && word(tokens, i + 1) == "sided" {
+        put(tokens, i, i + 2, &["double-sided"]);
+        return true;
+    }
+    let look = i > 0 && get().is_look(word(tokens, i - 1));
+    let said = word(tokens, i) == "ones" && (look || word(tokens, i - 1) == "double-sided");
+    let counted = said && (i.saturating_sub(4)..i).any(|k| super::quantified::number(tokens, k).is_some_and(|n| n > 1));
+    if !counted {
+        return false;
+    }
+    let stops = |k: &usize| !matches!(tokens[*k].kind, WordKind::Line);
+    let named = (0..i).rev().take_while(stops).find_map(|k| {
+        noun(tokens, k)
+            .filter(|name| name.end <= i && plural(word(tokens, name.end - 1)) && word(tokens, name.end - 1) != "walls")
+    });
+    let Some(name) = named else { return false };
+    // The whole name: "coffee tables", not "tables".
+    let start = name.start.saturating_sub(2);
+    let name = (start..=name.start).find_map(|k| noun(tokens, k).filter(|whole| whole.end == name.end)).unwrap_or(name);
+    let words: Vec<String> = tokens[name].iter().map(|t| t.text.clone()).collect();
+    // Lower than the others: low.
+    for token in &mut tokens[i.saturating_sub(3)..i] {
+        let plain = match token.text.as_str() {
+            "lower" => "low",
+            "smaller" => "small",
+            "larger" => "large",
+            "taller" => "tall",
+            _ => continue,
+        };
+        plain.clone_into(&mut token.text);
+    }
+    put(tokens, i, i + 1, &words.iter().map(String::as_str).collect::<Vec<_>>());
+    true
+}
+
+/// "In front of the biggest painting", of five: one of the paintings.
+fn biggest(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const MOST: [&str; 8] = ["biggest", "largest", "smallest", "tallest", "longest", "widest", "oldest", "nicest"];
+    let said = word(tokens, i) == "the" && MOST.contains(&word(tokens, i + 1));
+    let one = singular(word(tokens, i + 2));
+    let is_many = |t: &Token| t.text != one && singular(&t.text) == one;
+    if !said || get().noun(&one).is_none() || !ends(tokens, i + 3) || !tokens[..i].iter().any(is_many) {
+        return false;
+    }
+    let many = scenelang_lang::nouns::plural(&one);
+    put(tokens, i, i + 3, &["one", "of", "the", &many]);
+    true
+}
+
+/// "A brochure stand beside it": a stand, and no brochure that stands there.
+fn racks(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let article = matches!(word(tokens, i), "a" | "an" | "one");
+    let one = word(tokens, i + 1);
+    let said = article && word(tokens, i + 2) == "stand" && singular(one) == one && tokens[i + 1].word();
+    // "A desk and a chair stand at the wall"; a "reception stand" is read elsewhere.
+    let others = i > 0 && tokens[i - 1].is("and") || matches!(one, "display" | "reception");
+    if said && !others && scenelang_lang::nouns::noun(&format!("{one} stand")).is_none() {
+        put(tokens, i + 1, i + 3, &["display", "stand"]);
+        return true;
+    }
+    false
+}
+
+/// "The sink facing the window": who stands at it faces the window, so the sink is under it.
+fn sink(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const USED: [&str; 6] = ["sink", "hob", "stove", "cooker", "worktop", "countertop"];
+    let faces = matches!(word(tokens, i), "facing" | "faces") && i > 0 && USED.contains(&word(tokens, i - 1));
+    if !faces || !matches!(word(tokens, i + 1), "the" | "a") || word(tokens, i + 2) != "window" {
+        return false;
+    }
+    let under: &[&str] = if word(tokens, i) == "faces" { &["is", "under"] } else { &["under"] };
+    put(tokens, i, i + 1, under);
+    true
+}
+
+/// "A bench on the wall side" of a table: on one side of it.
+fn wall_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "on" && matches!(word(tokens, i + 1), "the" | "its");
+    if !said || word(tokens, i + 2) != "wall" || word(tokens, i + 3) != "side" || !ends(tokens, i + 4) {
+        return false;
+    }
+    put(tokens, i + 1, i + 4, &["one", "side"]);
+    true
+}
+
+/// "The long right hand wall": the right wall.
+fn right_hand(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let side = |k: usize| matches!(word(tokens, k), "left" | "right" | "left-hand" | "right-hand");
+    let long = usize::from(matches!(word(tokens, i), "long" | "short"));
+    let hand = usize::from(word(tokens, i + long + 1) == "hand");
+    let hyphened = word(tokens, i + long).ends_with("-hand");
+    let wall = matches!(word(tokens, i + long + 1 + hand), "wall" | "side" | "corner");
+    if !side(i + long) || long + hand == 0 && !hyphened || !wall {
+        return false;
+    }
+    let plain = word(tokens, i + long).trim_end_matches("-hand").to_owned();
+    put(tokens, i, i + long + 1 + hand, &[&plain]);
+    true
+}
+
+/// "At least 1.2 m clear all the way to the door": a path at least 1.2 m wide to the door.
+fn cleared(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WAY: [&str; 6] = ["clear", "free", "space", "all", "the", "way"];
+    if !matches!(word(tokens, i), "clear" | "free") || i < 2 {
+        return false;
+    }
+    let end = (i..i + 7).find(|k| !WAY.contains(&word(tokens, *k))).unwrap_or(i);
+    let to = matches!(word(tokens, end), "to" | "from") && matches!(word(tokens, end + 1), "the" | "a");
+    // "At least" before the measure belongs to it.
+    let Some((_, n)) = (1..=3).rev().find_map(|n| Some((n, n)).filter(|_| i >= n && is_measure(tokens, i - n, i)))
+    else {
+        return false;
+    };
+    let least = i >= n + 2 && word(tokens, i - n - 2) == "at" && word(tokens, i - n - 1) == "least";
+    if !to {
+        return false;
+    }
+    put(tokens, i, end, &["wide"]);
+    let from = i - n - if least { 2 } else { 0 };
+    let like = tokens[from].clone();
+    let words = ["a", "path"].map(|text| Token { kind: WordKind::Word, text: text.to_owned(), ..like.clone() });
+    tokens.splice(from..from, words);
+    true
+}
+
+/// Whether these tokens are a number and a unit of length.
+fn is_measure(tokens: &[Token], from: usize, end: usize) -> bool {
+    super::measure::measure(&tokens[from..end]).is_some_and(|(_, used)| used == end - from)
+}
+
+/// "Lots of neon": neon signs.
+fn neon(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let lots = match [word(tokens, i), word(tokens, i + 1)] {
+        ["lots" | "plenty", "of"] => 2,
+        ["much" | "some", "neon"] => 1,
+        _ => return false,
+    };
+    if word(tokens, i + lots) != "neon" || !ends(tokens, i + lots + 1) {
+        return false;
+    }
+    put(tokens, i, i + lots + 1, &["three", "neon", "signs"]);
+    true
+}
+
+/// "A rug under the seating": under the table that the seats stand around, or before the sofa.
+fn under_seating(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let under = matches!(word(tokens, i), "under" | "underneath" | "beneath");
+    let seating = word(tokens, i + 1) == "the" && matches!(word(tokens, i + 2), "seating" | "seats");
+    let group = usize::from(matches!(word(tokens, i + 3), "area" | "group"));
+    if !under || !seating || !ends(tokens, i + 3 + group) {
+        return false;
+    }
+    let table = tokens[..i].windows(2).any(|pair| pair[0].is("coffee") && pair[1].is("table"));
+    let sofa = tokens[..i].iter().any(|t| t.is("sofa") || t.is("couch"));
+    match () {
+        () if table => put(tokens, i + 2, i + 3 + group, &["coffee", "table"]),
+        () if sofa => put(tokens, i, i + 3 + group, &["in", "front", "of", "the", "sofa"]),
+        () => return false,
+    }
+    true
+}
+
+/// "Two freestanding partition walls": room dividers. Into what they split the room is seen.
+fn partitions(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let free = usize::from(matches!(word(tokens, i), "freestanding" | "free-standing" | "movable" | "mobile"));
+    let walls = match [word(tokens, i + free), word(tokens, i + free + 1)] {
+        ["partition" | "partitioning" | "dividing" | "divider", "walls"] => "dividers",
+        ["partition" | "partitioning" | "dividing" | "divider", "wall"] => "divider",
+        _ => return false,
+    };
+    let mut end = i + free + 2;
+    let splits = matches!(word(tokens, end), "split" | "splits" | "divide" | "divides");
+    let parts = |k: usize| matches!(word(tokens, k), "zones" | "areas" | "parts" | "sections" | "spaces");
+    let to = (end + 1..end + 7).find(|k| parts(*k));
+    if let Some(to) = to.filter(|_| splits) {
+        end = to + 1;
+    }
+    put(tokens, i, end, &["room", walls]);
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::paraphrase::plainly;
+
+    #[test]
+    fn what_is_said_in_short_is_said_in_full() {
+        for (text, becomes) in [
+            (
+                "bookcases along both walls, plus three lower double sided ones in the centre",
+                "bookcases along both walls , plus three low double-sided bookcases in the centre",
+            ),
+            (
+                "five paintings. a bench before the biggest painting.",
+                "five paintings . a bench before one of the paintings .",
+            ),
+            ("a bench before the biggest painting.", "a bench before the biggest painting ."),
+            ("a desk with a brochure stand beside it", "a desk with a display stand beside it"),
+            ("a plant stand beside it", "a plant stand beside it"),
+            ("a kitchen with the sink facing the window.", "a kitchen with the sink under the window ."),
+            ("a table with a bench on the wall side.", "a table with a bench on one side ."),
+            ("three pictures on the long right-hand wall", "three pictures on the right wall"),
+            ("a desk on the left hand side of the bed", "a desk on the left side of the bed"),
+            (
+                "a bed, and at least 1.2 m clear all the way to the bathroom door.",
+                "a bed , and a path at least 1.2 m wide to the bathroom door .",
+            ),
+            ("a bar, lots of neon.", "a bar , three neon signs ."),
+            ("a coffee table. a rug under the seating.", "a coffee table . a rug under the coffee table ."),
+            ("two partition walls split it into three zones. a desk", "two room dividers . a desk"),
+        ] {
+            assert_eq!(plainly(text), becomes);
+        }
+    }
+}
