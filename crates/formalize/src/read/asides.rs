@@ -5,11 +5,26 @@ use super::lexicon::{get, plural, singular};
 use super::paraphrase::{ends, put, word};
 use super::shares::noun;
 use super::token::{Token, WordKind};
+use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] =
-        [ones, biggest, racks, sink, wall_side, right_hand, cleared, neon, under_seating, partitions];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 14] = [
+        ones,
+        biggest,
+        racks,
+        sink,
+        wall_side,
+        right_hand,
+        cleared,
+        neon,
+        under_seating,
+        partitions,
+        from_left,
+        bears,
+        unblocked,
+        turned_to,
+    ];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -196,6 +211,86 @@ fn partitions(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "From left to right: a bookcase, a lamp and a bench": said after them.
+#[expect(clippy::ptr_arg, reason = "one of the turns")]
+fn from_left(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
+    let begins = i == 0 || stops(&tokens[i - 1]);
+    let sides = matches!((word(tokens, i + 1), word(tokens, i + 3)), ("left", "right") | ("right", "left"));
+    if !begins || word(tokens, i) != "from" || !sides || word(tokens, i + 2) != "to" {
+        return false;
+    }
+    if !tokens.get(i + 4).is_some_and(|t| t.is(":") || t.is(",")) {
+        return false;
+    }
+    let end = tokens[i + 5..].iter().position(stops).map_or(tokens.len(), |n| i + 5 + n);
+    // The sign between them goes along, as a word that says nothing.
+    tokens[i + 4].kind = WordKind::Word;
+    "there".clone_into(&mut tokens[i + 4].text);
+    tokens[i..end].rotate_left(4);
+    if let Some(there) = tokens.get_mut(i) {
+        "are".clone_into(&mut there.text);
+    }
+    true
+}
+
+/// "The desk holds the lamp": the lamp stands on the desk.
+fn bears(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some(carrier) = definite(tokens, i) else { return false };
+    let verb = carrier.end;
+    let bears = matches!(word(tokens, verb), "carries" | "holds" | "supports" | "bears");
+    let Some(load) = definite(tokens, verb + 1).filter(|load| bears && ends(tokens, load.end)) else { return false };
+    let mut words: Vec<Token> = tokens[verb + 1..load.end].to_vec();
+    let like = tokens[verb].clone();
+    words.extend(["stands", "on"].map(|text| Token { text: text.to_owned(), ..like.clone() }));
+    words.extend_from_slice(&tokens[i..verb]);
+    tokens.splice(i..load.end, words);
+    true
+}
+
+/// "The safe must not be blocked", "the cabinet must stay accessible": nothing blocks it.
+fn unblocked(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SAID: [&[&str]; 8] = [
+        &["must", "not", "be", "blocked"],
+        &["should", "not", "be", "blocked"],
+        &["must", "be", "kept", "clear"],
+        &["must", "stay", "clear"],
+        &["must", "remain", "clear"],
+        &["must", "remain", "unobstructed"],
+        &["is", "unobstructed"],
+        &["is", "blocked", "by", "nothing"],
+    ];
+    let Some(name) = definite(tokens, i) else { return false };
+    let is = |words: &&&[&str]| words.iter().enumerate().all(|(k, w)| word(tokens, name.end + k) == *w);
+    let Some(said) = SAID.iter().find(is).filter(|said| ends(tokens, name.end + said.len())) else { return false };
+    let kind = get().noun(&singular(word(tokens, name.end - 1)));
+    if matches!(kind, Some(Group::Door | Group::Window)) {
+        return false;
+    }
+    let like = tokens[i].clone();
+    let mut words: Vec<Token> =
+        ["nothing", "blocks"].map(|text| Token { text: text.to_owned(), ..like.clone() }).to_vec();
+    words.extend_from_slice(&tokens[i..name.end]);
+    tokens.splice(i..name.end + said.len(), words);
+    true
+}
+
+/// "Turn the chest towards the bed": the chest faces the bed.
+fn turned_to(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some(name) = definite(tokens, i + 1).filter(|_| word(tokens, i) == "turn") else { return false };
+    if !matches!(word(tokens, name.end), "towards" | "toward" | "to") || word(tokens, name.end + 1) != "the" {
+        return false;
+    }
+    put(tokens, name.end, name.end + 1, &["faces"]);
+    tokens.remove(i);
+    true
+}
+
+/// The noun after "the" that begins here.
+fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
+    noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
+}
+
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -224,6 +319,11 @@ mod tests {
             ),
             ("a bar, lots of neon.", "a bar , three neon signs ."),
             ("a coffee table. a rug under the seating.", "a coffee table . a rug under the coffee table ."),
+            ("from left to right: a desk, a lamp and a bench.", "are a desk , a lamp and a bench from left to right ."),
+            ("the desk holds the lamp.", "the lamp stands on the desk ."),
+            ("the safe must not be blocked.", "nothing blocks the safe ."),
+            ("the door must be kept clear.", "the door must be kept clear ."),
+            ("turn the chest towards the bed", "the chest faces the bed"),
             ("two partition walls split it into three zones. a desk", "two room dividers . a desk"),
         ] {
             assert_eq!(plainly(text), becomes);

@@ -1,11 +1,12 @@
 //! Directions and parts of a room: "the southeast corner", "on the west side of the room", "facing east", "the sink is on the
 //! left", "in front of it, about a metre away, is a chair".
 
-use super::lexicon::get;
+use super::lexicon::{get, singular};
 use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
 use crate::brief::Group;
 use crate::furnish::kinds;
+use scenelang_lang::nouns;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
@@ -81,7 +82,13 @@ fn of_room(tokens: &[Token], i: usize) -> Option<usize> {
     }
     (1..=3).rev().map(|n| i + 2 + n).find(|end| {
         let name: Vec<&str> = (i + 2..*end).map(|k| word(tokens, k)).collect();
-        !name.contains(&"") && (name == ["room"] || name == ["space"] || kinds::named(&name.join(" ")).is_some())
+        // "Of the kitchen table": of a table.
+        let longer = format!("{} {}", name.join(" "), singular(word(tokens, *end)));
+        let is_thing = get().noun(&longer).is_some() || nouns::noun(&longer).is_some();
+        let goes_on = is_thing || get().noun(&singular(word(tokens, *end))).is_some();
+        !name.contains(&"")
+            && !goes_on
+            && (name == ["room"] || name == ["space"] || kinds::named(&name.join(" ")).is_some())
     })
 }
 

@@ -52,6 +52,8 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
             let one = paired(&tokens[article + 1..]);
             return Some((if one { 1.0 } else { 2.0 }, of(article + 1)));
         }
+        "half-dozen" => return Some((6.0, of(article + 1))),
+        "half" if text(article + 1) == "dozen" => return Some((6.0, of(article + 2))),
         "trio" => return Some((3.0, of(article + 1))),
         _ => {}
     }
@@ -91,8 +93,9 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         let each = if paired(&tokens[used + 1..]) { 1.0 } else { 2.0 };
         return Some((value * each, of(used + 1)));
     }
-    if text(used) == "and" && text(used + 1) == "a" && text(used + 2) == "half" {
-        return Some((value + 0.5, used + 3));
+    if text(used) == "and" && text(used + 1) == "a" && matches!(text(used + 2), "half" | "quarter") {
+        let part = if text(used + 2) == "half" { 0.5 } else { 0.25 };
+        return Some((value + part, used + 3));
     }
     // "one point two"
     if text(used) == "point"
@@ -126,19 +129,29 @@ pub fn unit(word: &str) -> Option<f64> {
         "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => 0.001,
         "ft" | "foot" | "feet" | "'" => 0.3048,
         "in" | "inch" | "inches" | "\"" => 0.0254,
+        "dm" | "decimetre" | "decimetres" | "decimeter" | "decimeters" => 0.1,
+        "yd" | "yds" | "yard" | "yards" => 0.9144,
         _ => return None,
     })
 }
+
+/// What follows "in" where that stands for inches.
+const AFTER_INCHES: [&str; 14] =
+    ["wide", "high", "tall", "deep", "long", "thick", "across", "x", "by", "clear", "from", "off", "above", "apart"];
 
 /// A length in metres and how many tokens it takes, the unit included.
 pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
     let text = |i: usize| tokens.get(i).map_or("", |t| t.text.as_str());
     match (text(0), text(1), text(2)) {
+        ("a" | "one", "quarter", "of") | ("three", "quarters", "of") if text(3) == "a" && unit(text(4)).is_some() => {
+            let part = if text(0) == "three" { 0.75 } else { 0.25 };
+            return unit(text(4)).map(|m| (m * part, 5));
+        }
         ("half", "a", u) if unit(u).is_some() => return unit(u).map(|m| (m / 2.0, 3)),
         ("a" | "one", u, "and") if unit(u).is_some() && text(3) == "a" && text(4) == "half" => {
             return unit(u).map(|m| (m * 1.5, 5));
         }
-        ("a", u, _) if unit(u).is_some() && !matches!(u, "m" | "in" | "'" | "\"" | "foot") => {
+        ("a", u, _) if unit(u).is_some() && !matches!(u, "m" | "in" | "'" | "\"" | "foot" | "yard") => {
             return unit(u).map(|m| (m, 2));
         }
         ("arm", "length", _) => return Some((0.7, 2)),
@@ -147,10 +160,7 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
     let (value, mut used) = count(tokens)?;
     let metres = match text(used) {
         // A bare "in" is hardly ever the unit: "two lamps, 3 in each corner".
-        "in" if !tokens
-            .get(used + 1)
-            .is_some_and(|t| matches!(t.text.as_str(), "wide" | "high" | "tall" | "deep" | "x" | "by")) =>
-        {
+        "in" if !tokens.get(used + 1).is_some_and(|t| AFTER_INCHES.contains(&t.text.as_str())) => {
             return None;
         }
         u => unit(u)?,
@@ -167,6 +177,13 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
     if metres == 1.0 {
         if text(used) == "and" && text(used + 1) == "a" && text(used + 2) == "half" {
             return Some((total + 0.5, used + 3));
+        }
+        // "One metre and twenty centimetres".
+        if text(used) == "and"
+            && let Some((n, k)) = count(&tokens[used + 1..])
+            && unit(text(used + 1 + k)) == Some(0.01)
+        {
+            return Some((total + n * 0.01, used + 2 + k));
         }
         // Ten and more after whole metres are centimetres, if nothing is counted by them.
         let more = count(&tokens[used..])
@@ -186,7 +203,11 @@ pub fn length(tokens: &[Token]) -> Option<(f64, usize)> {
 
 fn counts_nothing(next: Option<&Token>) -> bool {
     next.is_none_or(|t| {
-        !t.word() || unit(&t.text) == Some(0.01) || super::lexicon::get().relation(std::slice::from_ref(t)).is_some()
+        const SIDES: [&str; 6] = ["wide", "high", "tall", "deep", "long", "thick"];
+        !t.word()
+            || unit(&t.text) == Some(0.01)
+            || SIDES.contains(&t.text.as_str())
+            || super::lexicon::get().relation(std::slice::from_ref(t)).is_some()
     })
 }
 
@@ -198,7 +219,8 @@ pub fn area(tokens: &[Token]) -> Option<(f64, usize)> {
         ("square" | "sq", u) => (unit(u)?.powi(2), 2),
         ("sq.", u) => (unit(u)?.powi(2), 2),
         ("sqm" | "m²" | "qm", _) => (1.0, 1),
-        ("m", "²" | "2") => (1.0, 2),
+        ("m" | "ft", "²" | "2") => (unit(text(0))?.powi(2), 2),
+        ("m" | "ft", "^") if text(2) == "2" => (unit(text(0))?.powi(2), 3),
         ("sqft" | "ft²", _) => (0.3048 * 0.3048, 1),
         _ => return None,
     };
@@ -222,6 +244,16 @@ mod tests {
             ("2.5m", 2.5),
             ("three and a half metres", 3.5),
             ("2 m, 4 chairs", 2.0),
+            ("one metre and twenty centimetres from", 1.2),
+            ("one metre twenty wide", 1.2),
+            ("1m20 wide", 1.2),
+            ("a quarter of a metre", 0.25),
+            ("three quarters of a metre", 0.75),
+            ("three and a quarter metres", 3.25),
+            ("1 1/2 m wide", 1.5),
+            ("12 dm wide", 1.2),
+            ("3 yd", 2.7432),
+            ("50 in from", 1.27),
         ] {
             let got = length(&tokens(text, 100).0).map(|l| l.0);
             assert!(got.is_some_and(|g| (g - want).abs() < 1e-9), "{text}: {got:?}");
@@ -239,6 +271,8 @@ mod tests {
             ("a hundred seats", 100.0),
             ("a hundred and twenty chairs", 120.0),
             ("half a dozen", 6.0),
+            ("a half dozen chairs", 6.0),
+            ("a half-dozen chairs", 6.0),
         ] {
             assert_eq!(count(&tokens(text, 100).0).map(|c| c.0), Some(want), "{text}");
         }

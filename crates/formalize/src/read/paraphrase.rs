@@ -9,13 +9,14 @@ use super::token::{Token, WordKind};
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 74] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 75] = [
             super::spelling::plain,
             super::activities::plain,
             super::amounts::plain,
             super::whereabouts::plain,
             super::palette::plain,
             super::beyond::plain,
+            super::denied::plain,
             super::asides::plain,
             super::annexes::plain,
             super::each_with::plain,

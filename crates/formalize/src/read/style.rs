@@ -119,7 +119,7 @@ fn named(tokens: &[Token], i: usize) -> Option<(&'static styles::Style, usize)> 
 }
 
 /// Whether the name of a room begins here, after a word or two that are said of it, and no name of a thing goes on behind it.
-fn names_room(tokens: &[Token], from: usize) -> bool {
+pub(super) fn names_room(tokens: &[Token], from: usize) -> bool {
     let words: Vec<String> = tokens[from.min(tokens.len())..]
         .iter()
         .take(LONGEST)

@@ -44,12 +44,13 @@ impl Token {
 
 /// Words that may be shortened, with a full stop behind them.
 const ABBREVIATED: &[&str] =
-    &["no", "nos", "approx", "ca", "min", "max", "incl", "dia", "qty", "pcs", "ft", "dist", "ht"];
+    &["no", "nos", "approx", "ca", "min", "max", "incl", "dia", "qty", "pcs", "ft", "sq", "dist", "ht"];
 
 /// The tokens of a text; at most `most`, and the byte where reading ended.
 pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
     let mut out: Vec<Token> = Vec::new();
     let mut at = 0;
+    let text = &super::unwrapped::unwrapped(text)[..];
     while at < text.len() && out.len() < most {
         let rest = &text[at..];
         let c = rest.chars().next().unwrap_or(' ');
@@ -80,11 +81,38 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
         } else if fresh && let Some(len) = bullet(rest) {
             let number = if rest.starts_with(|c: char| c.is_ascii_digit()) { &rest[..len] } else { "" };
             (len, Some((WordKind::Bullet, number.to_owned(), false)))
+        } else if let Some((len, part)) = fraction(rest) {
+            // "1 1/2", "2½": a whole number before it belongs to it.
+            let whole = out.last().and_then(|t| match t.kind {
+                WordKind::Number(n) if n.fract() == 0.0 && text[t.at.end..at].trim().is_empty() => {
+                    Some((n, t.at.start))
+                }
+                _ => None,
+            });
+            let (value, start) = whole.map_or((part, at), |(n, start)| (n + part, start));
+            if whole.is_some() {
+                out.pop();
+            }
+            let kind = WordKind::Number(value);
+            out.push(Token { kind, text: value.to_string(), at: start..at + len, owner: false, capital: false });
+            (len, None)
         } else if c.is_ascii_digit() || (c == '.' && rest[1..].starts_with(|d: char| d.is_ascii_digit())) {
             let (len, value) = number(rest);
             // "3D", "4K": a word.
             let letters: String = rest[len..].chars().take_while(|c| c.is_alphabetic()).collect();
             let lower = letters.to_lowercase();
+            if let Some(nth) = nth(&lower, value) {
+                let all = len + letters.len();
+                out.push(Token {
+                    kind: WordKind::Word,
+                    text: nth.into(),
+                    at: at..at + all,
+                    owner: false,
+                    capital: false,
+                });
+                at += all;
+                continue;
+            }
             let unit = super::number::unit(&lower).is_some() || lower.starts_with('x') || lower.starts_with("sq");
             if letters.is_empty() || unit || letters.len() > 2 || letters.chars().any(char::is_lowercase) {
                 (len, Some((WordKind::Number(value), rest[..len].to_owned(), false)))
@@ -92,6 +120,9 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
                 let all = len + letters.len();
                 (all, Some((WordKind::Word, rest[..all].to_lowercase(), false)))
             }
+        } else if matches!(c, '“' | '”' | '*' | '`') && !is_after_number(&out, at) && touches_word(text, at, c) {
+            // Quoted or emphasised words are words.
+            (c.len_utf8(), None)
         } else if c.is_alphabetic() {
             let (len, text, owner) = word(rest);
             (len, Some((WordKind::Word, text, owner)))
@@ -111,6 +142,40 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
         at += len;
     }
     (joined(out), at)
+}
+
+/// "1st", "2nd": in words.
+fn nth(letters: &str, value: f64) -> Option<&'static str> {
+    const WORDS: [&str; 10] =
+        ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+    let at = (1..=WORDS.len()).find(|n| *n as f64 == value)?;
+    matches!(letters, "st" | "nd" | "rd" | "th").then(|| WORDS[at - 1])
+}
+
+/// Whether a sign is at the beginning or the end of a word: no "7 * 5".
+fn touches_word(text: &str, at: usize, sign: char) -> bool {
+    let is_of_word = |c: char| c.is_alphanumeric() || c == sign;
+    text[at + sign.len_utf8()..].starts_with(is_of_word) || text[..at].ends_with(is_of_word)
+}
+
+/// Whether a number ends where a sign stands: 6” are inches.
+fn is_after_number(out: &[Token], at: usize) -> bool {
+    out.last().is_some_and(|t| matches!(t.kind, WordKind::Number(_)) && t.at.end == at)
+}
+
+/// "1/2", "3/4", "½": a part of one, and its length in bytes.
+fn fraction(rest: &str) -> Option<(usize, f64)> {
+    const SIGNS: [(char, f64); 5] = [('½', 0.5), ('¼', 0.25), ('¾', 0.75), ('⅓', 1.0 / 3.0), ('⅔', 2.0 / 3.0)];
+    if let Some((sign, part)) = SIGNS.iter().find(|(sign, _)| rest.starts_with(*sign)) {
+        return Some((sign.len_utf8(), *part));
+    }
+    let (over, under) = rest.split_once('/')?;
+    let digits = under.bytes().take_while(u8::is_ascii_digit).count();
+    let [over_number, under_number] = [over, &under[..digits]].map(|n| n.parse::<u8>().ok());
+    let (over_number, under_number) = (over_number?, under_number?);
+    // "24/7" and "9/10 m" are dates and the like, and a half is no "2/4".
+    let is_part = over_number < under_number && matches!(under_number, 2 | 3 | 4 | 8) && over.len() == 1;
+    is_part.then(|| (over.len() + 1 + digits, f64::from(over_number) / f64::from(under_number)))
 }
 
 /// `-`, `*`, `•`, `##`, `1.`, `2)`, `a)` before a blank.
@@ -182,15 +247,20 @@ fn word(rest: &str) -> (usize, String, bool) {
     let mut len = 0;
     let mut chars = rest.char_indices().peekable();
     while let Some((i, c)) = chars.next() {
-        let inner =
-            matches!(c, '\'' | '’' | '-' | '_') && i > 0 && chars.peek().is_some_and(|(_, n)| n.is_alphanumeric());
+        let inner = matches!(c, '\'' | '’' | '´' | '`' | 'ʼ' | '-' | '‐' | '‑' | '–' | '_')
+            && i > 0
+            && chars.peek().is_some_and(|(_, n)| n.is_alphanumeric());
         if !(c.is_alphabetic() || inner || (c.is_numeric() && i > 0 && rest[..i].ends_with('-'))) {
             break;
         }
         len = i + c.len_utf8();
     }
     // "Café" and "cafe" are one word.
-    let text = rest[..len].to_lowercase().replace('’', "'").replace('_', "-").replace(['é', 'è', 'ê'], "e");
+    let text = rest[..len]
+        .to_lowercase()
+        .replace(['’', '´', '`', 'ʼ'], "'")
+        .replace(['_', '‐', '‑', '–'], "-")
+        .replace(['é', 'è', 'ê'], "e");
     // What is no possessive of a thing: "it's", "let's", "there's".
     let owner = text.strip_suffix("'s").filter(|w| !["it", "let", "there", "that", "here", "what", "who"].contains(w));
     // "The kids' bedroom".
@@ -327,6 +397,11 @@ mod tests {
             ("a floor-length curtain, life-long", "a|floor-length|curtain|,|life-long"),
             ("it's red, they're 2 m high, let's", "it|is|red|,|they|are|2|m|high|,|let's"),
             ("a nook w/ a chair", "a|nook|with|a|chair"),
+            ("a 6m-by-4m room, six-by-four-metre", "a|6|m|by|4|m|room|,|six|by|four|metre"),
+            ("1 1/2 m, ½ m, 2½ m, 3/4 in", "1.5|m|,|0.5|m|,|2.5|m|,|0.75|in"),
+            ("a “walk‑in” closet, **table**", "a|walk-in|closet|,|table"),
+            ("the 2nd and 3rd desk", "the|second|and|third|desk"),
+            ("300 sq. ft. of floor", "300|sq|ft|of|floor"),
             ("its longer side, longer than it", "its|long|side|,|longer|than|it"),
         ] {
             let got = texts(text);

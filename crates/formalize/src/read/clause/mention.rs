@@ -76,6 +76,11 @@ impl Reader<'_> {
                 5
             } else if all {
                 3
+            } else if (np.words.len() > 1 || item.words.len() > 1)
+                && lexicon.alike(&item.words.join(" "), &np.words.join(" "))
+            {
+                // "the bedside table" is the nightstand
+                6
             } else if lexicon.alike(&item.head(), &head)
                 && np.words[..np.words.len() - np.last].iter().all(|w| lexicon.alike(&item.head(), w))
             {

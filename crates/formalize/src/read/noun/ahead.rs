@@ -158,6 +158,11 @@ pub(super) fn takes_object(rest: &[Token]) -> bool {
     })
 }
 
+/// Whether it is said here where something stands: a relation, and what it is to.
+pub(super) fn stands_somewhere(rest: &[Token]) -> bool {
+    get().relation(rest).is_some_and(|(_, n)| rest.get(n).is_some_and(Token::word))
+}
+
 /// Whether a word that no table has is an adjective by its end.
 pub(super) fn adjective(word: &str) -> bool {
     word.contains('-')

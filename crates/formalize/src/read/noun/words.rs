@@ -7,8 +7,8 @@ use super::super::measure::measure;
 use super::super::number;
 use super::super::token::{Token, WordKind};
 use super::ahead::{
-    adjective, before_noun, leads_to_noun, leads_to_place, longest_noun, place, room_here, stops_here, tail_here,
-    takes_object, tells_which, worded_look,
+    adjective, before_noun, leads_to_noun, leads_to_place, longest_noun, place, room_here, stands_somewhere,
+    stops_here, tail_here, takes_object, tells_which, worded_look,
 };
 use super::amount::{add_dims, in_inches};
 use super::scan::{Scan, ScanStep};
@@ -169,12 +169,13 @@ impl Scan<'_> {
             return Some(ScanStep::Stop);
         }
         let mut table = longest_noun(here);
-        // "a fern plant stands near the window": not two plant stands.
+        // "a fern plant stands near the window": not two plant stands. "The TV stands on the table", but "the TV stands are".
         if let Some((_, n)) = &table
             && *n > 1
-            && (self.article || self.np.count == Some(1))
+            && (self.article || self.np.count == Some(1) || self.last_det == Det::Definite)
             && plural(self.text(used + n - 1))
             && self.lexicon.verb(self.from(used + n - 1)).is_some()
+            && (self.last_det != Det::Definite || stands_somewhere(self.from(used + n)))
         {
             table = longest_noun(&here[..n - 1]);
         }
