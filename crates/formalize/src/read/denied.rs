@@ -15,6 +15,9 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || for_each(tokens, i)
         || within_of_each(tokens, i)
         || clear_space(tokens, i)
+        || the_distance(tokens, i)
+        || of_any(tokens, i)
+        || listed_after(tokens, i)
 }
 
 /// "No X is": where the verb is, after the name of X.
@@ -193,6 +196,89 @@ fn clear_space(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "The distance from the printer to every desk is at most 3 m": every desk is within 3 m of the printer.
+fn the_distance(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said_so = word(tokens, i) == "the" && word(tokens, i + 1) == "distance" && begins(tokens, i);
+    if !said_so || !matches!(word(tokens, i + 2), "from" | "between" | "of") {
+        return false;
+    }
+    let is_det = |k: usize| matches!(word(tokens, k), "the" | "every" | "each" | "a" | "an");
+    let Some(first) = noun(tokens, i + 4).filter(|_| is_det(i + 3)) else { return false };
+    let to = first.end;
+    let Some(second) = noun(tokens, to + 2).filter(|_| is_det(to + 1)) else { return false };
+    if !matches!(word(tokens, to), "to" | "and" | "from") {
+        return false;
+    }
+    let verb = second.end;
+    let (at, most) = match [word(tokens, verb), word(tokens, verb + 1), word(tokens, verb + 2), word(tokens, verb + 3)]
+    {
+        ["is", "at", "most", _] | ["is", "no", "more", _] | ["is", "less", "than", _] => (verb + 3, true),
+        ["must" | "should" | "shall", "not", "exceed", _] => (verb + 3, true),
+        ["must" | "should" | "shall", "be", "at", "most"] => (verb + 4, true),
+        ["is", "at", "least", _] => (verb + 3, false),
+        ["must" | "should" | "shall", "be", "at", "least"] => (verb + 4, false),
+        _ => return false,
+    };
+    let at = at + usize::from(word(tokens, at) == "than");
+    let Some(used) = length(tokens, at).filter(|used| ends(tokens, at + used)) else { return false };
+    let each = |k: usize| matches!(word(tokens, k), "every" | "each");
+    let (first, second) = (i + 3..first.end, to + 1..second.end);
+    let (who, what) = if each(second.start) && !each(first.start) { (second, first) } else { (first, second) };
+    let like = tokens[i].clone();
+    let mut words: Vec<Token> = tokens[who].to_vec();
+    words.push(said("is", &like));
+    words.extend(if most { vec!["within"] } else { vec!["at", "least"] }.into_iter().map(|text| said(text, &like)));
+    words.extend_from_slice(&tokens[at..at + used]);
+    words.push(said(if most { "of" } else { "from" }, &like));
+    words.extend_from_slice(&tokens[what]);
+    tokens.splice(i..at + used, words);
+    true
+}
+
+/// "Every bench is within 3 m of a shower", of three showers: of one of the showers.
+fn of_any(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "of" || !matches!(word(tokens, i + 1), "a" | "an" | "some" | "any") {
+        return false;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
+    let from = tokens[..i].iter().rposition(stops).map_or(0, |n| n + 1);
+    let each = (from..i).any(|k| matches!(word(tokens, k), "every" | "each"));
+    let within = (i.saturating_sub(5)..i).find(|k| word(tokens, *k) == "within");
+    let measured = within.is_some_and(|k| length(tokens, k + 1).is_some_and(|used| k + 1 + used == i));
+    let Some((end, words)) = of_them(tokens, i + 1, from).filter(|(end, _)| each && measured && ends(tokens, *end))
+    else {
+        return false;
+    };
+    // Of one shower, or of a thing that is not there yet, nothing changes.
+    if words.first().is_none_or(|first| first != "one") {
+        return false;
+    }
+    put(tokens, i + 1, end, &words.iter().map(String::as_str).collect::<Vec<_>>());
+    true
+}
+
+/// "A hall with a desk with a lamp on it and a fridge": the list goes on, and the fridge has nothing to do with the desk.
+fn listed_after(tokens: &mut [Token], i: usize) -> bool {
+    if word(tokens, i) != "with" || !matches!(word(tokens, i + 1), "a" | "an") {
+        return false;
+    }
+    let Some(name) = noun(tokens, i + 2) else { return false };
+    let on_it = word(tokens, name.end) == "on" && matches!(word(tokens, name.end + 1), "it" | "top");
+    let next = name.end + 2;
+    let comma = usize::from(tokens.get(next).is_some_and(|t| t.is(",")));
+    let and = usize::from(word(tokens, next + comma) == "and");
+    let more = comma + and > 0 && matches!(word(tokens, next + comma + and), "a" | "an" | "two" | "three" | "four");
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
+    let from = tokens[..i].iter().rposition(stops).map_or(0, |n| n + 1);
+    let in_list = (from..i).any(|k| matches!(word(tokens, k), "with" | "has" | "contains"));
+    if !on_it || !more || !in_list {
+        return false;
+    }
+    tokens[i].kind = WordKind::Sign(',');
+    ",".clone_into(&mut tokens[i].text);
+    true
+}
+
 /// How many tokens a plain length takes that begins here.
 fn length(tokens: &[Token], at: usize) -> Option<usize> {
     let (found, used) = measure(tokens.get(at..)?)?;
@@ -225,6 +311,18 @@ mod tests {
             ("for every bench, there must be a locker.", "every bench has a locker ."),
             ("within 3 m of every bench there is a shower.", "there is a shower within 3 m of every bench ."),
             ("in front of the safe there must be 1 m of clear space.", "1 m must be kept clear in front of the safe ."),
+            (
+                "the distance from the printer to every desk is at most 3 m.",
+                "every desk is within 3 m of the printer .",
+            ),
+            ("the distance between a lamp and a desk must not exceed 3 m", "a lamp is within 3 m of a desk"),
+            (
+                "three showers. every bench is within 3 m of a shower.",
+                "three showers . every bench is within 3 m of one of the showers .",
+            ),
+            ("every bench is within 3 m of a shower.", "every bench is within 3 m of a shower ."),
+            ("a hall with a desk with a lamp on it and a fridge", "a hall with a desk , a lamp on it and a fridge"),
+            ("a desk with a lamp on it and a fridge", "a desk with a lamp on it and a fridge"),
             ("in front of the safe there is a chair.", "in front of the safe there is a chair ."),
             ("no chair is red", "no chair is red"),
             ("a tank, which no table may be closer to than 1 m", "a tank , which no table may be closer to than 1 m"),

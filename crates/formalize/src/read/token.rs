@@ -358,7 +358,22 @@ fn joined(tokens: Vec<Token>) -> Vec<Token> {
         }
     }
     sides(&mut out);
+    halves(&mut out);
     out
+}
+
+/// "Half a metre": 0.5 metres, so that "half" is no part of a name before it.
+fn halves(tokens: &mut Vec<Token>) {
+    let is_half = |k: usize| {
+        let unit =
+            tokens.get(k + 2).is_some_and(|t| t.word() && super::number::unit(&t.text).is_some() && t.text.len() > 1);
+        unit && tokens[k].is("half") && (tokens[k + 1].is("a") || tokens[k + 1].is("an"))
+    };
+    for k in (0..tokens.len()).filter(|k| is_half(*k)).rev().collect::<Vec<_>>() {
+        tokens[k].kind = WordKind::Number(0.5);
+        tokens[k].at.end = tokens[k + 1].at.end;
+        tokens.remove(k + 1);
+    }
 }
 
 /// "the longer side" is the long one: no comparison with anything else.
