@@ -9,7 +9,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 14] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 17] = [
         ones,
         biggest,
         racks,
@@ -24,6 +24,9 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         bears,
         unblocked,
         turned_to,
+        door_on_wall,
+        ship_bridge,
+        stations,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -286,6 +289,60 @@ fn turned_to(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "By the loading door on the short wall": the wall is that of the door, in a sentence of its own.
+fn door_on_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let near = match [word(tokens, i), word(tokens, i + 1)] {
+        ["by" | "near" | "beside" | "facing", _] => 1,
+        ["next", "to"] => 2,
+        _ => return false,
+    };
+    let first = i + near + 1;
+    let is_opening = |k: &usize| matches!(get().noun(word(tokens, *k)), Some(Group::Door | Group::Window));
+    let last = (first..first + 3).find(is_opening).filter(|_| word(tokens, i + near) == "the");
+    let Some(door) = last.map(|last| first..last + 1) else { return false };
+    let at = door.end;
+    let on = matches!(word(tokens, at), "on" | "in") && word(tokens, at + 1) == "the" && word(tokens, at + 3) == "wall";
+    if !on || !ends(tokens, at + 4) {
+        return false;
+    }
+    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
+    let end = tokens[at..].iter().position(stops).map_or(tokens.len(), |n| at + n);
+    let like = tokens[at].clone();
+    let said = |text: &str| Token { text: text.to_owned(), ..like.clone() };
+    let mut sentence = vec![Token { kind: WordKind::Sign('.'), ..said(".") }, said("the")];
+    sentence.extend_from_slice(&tokens[door]);
+    sentence.push(said("is"));
+    sentence.extend_from_slice(&tokens[at..at + 4]);
+    tokens.splice(end..end, sentence);
+    tokens.drain(at..at + 4);
+    true
+}
+
+/// "The bridge of a cargo ship": a control room.
+fn ship_bridge(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "the" | "a") && word(tokens, i + 1) == "bridge" && word(tokens, i + 2) == "of";
+    let ship =
+        |k: usize| word(tokens, k).ends_with("ship") || matches!(word(tokens, k), "vessel" | "spacecraft" | "ferry");
+    let Some(end) = (i + 3..i + 7).find(|k| ship(*k)).filter(|_| said) else { return false };
+    put(tokens, i, end + 1, &["a", "control", "room"]);
+    true
+}
+
+/// "Four crew stations": workstations.
+fn stations(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WHOSE: [&str; 6] = ["crew", "operator", "control", "navigation", "officer", "pilot"];
+    let last = match word(tokens, i + 1) {
+        "station" => "workstation",
+        "stations" => "workstations",
+        _ => return false,
+    };
+    let said = WHOSE.contains(&word(tokens, i));
+    if said {
+        put(tokens, i, i + 2, &[last]);
+    }
+    said
+}
+
 /// The noun after "the" that begins here.
 fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
     noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
@@ -324,6 +381,11 @@ mod tests {
             ("the safe must not be blocked.", "nothing blocks the safe ."),
             ("the door must be kept clear.", "the door must be kept clear ."),
             ("turn the chest towards the bed", "the chest faces the bed"),
+            (
+                "two forklifts parked by the loading door on the short wall, and ten boxes. a lamp",
+                "two forklifts parked by the loading door , and ten boxes . the loading door is on the short wall . a lamp",
+            ),
+            ("the bridge of a cargo ship with four crew stations", "a control room with four workstations"),
             ("two partition walls split it into three zones. a desk", "two room dividers . a desk"),
         ] {
             assert_eq!(plainly(text), becomes);

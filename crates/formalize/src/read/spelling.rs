@@ -62,20 +62,23 @@ fn covering(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// "Three paintings on each long wall": three on one of the two and three on the other.
 fn on_both(tokens: &mut Vec<Token>, i: usize) -> bool {
+    // "Two rails on each wall": at the walls that face each other.
+    let plain = matches!(word(tokens, i + 1), "each" | "either") && word(tokens, i + 2) == "wall";
     let said = word(tokens, i) == "on"
-        && matches!(word(tokens, i + 1), "each" | "either" | "both")
-        && matches!(word(tokens, i + 2), "long" | "short" | "side")
-        && matches!(word(tokens, i + 3), "wall" | "walls");
+        && (plain
+            || matches!(word(tokens, i + 1), "each" | "either" | "both")
+                && matches!(word(tokens, i + 2), "long" | "short" | "side")
+                && matches!(word(tokens, i + 3), "wall" | "walls"));
     let each = word(tokens, i + 1) != "both";
     let Some(all) = counted(tokens, i, 2).filter(|all| said && each && all.noun.end == i) else { return false };
     let of: Vec<Token> = tokens[all.noun.start - 1..all.noun.end].to_vec();
-    let side = word(tokens, i + 2).to_owned();
+    let side = if plain { "side" } else { word(tokens, i + 2) }.to_owned();
     let like = tokens[i].clone();
     let new = |text: &str| Token { text: text.to_owned(), ..like.clone() };
     let mut words: Vec<Token> = ["on", "one", &side, "wall", "and"].map(new).to_vec();
     words.extend(of);
     words.extend(["on", "the", "opposite", "wall"].map(new));
-    tokens.splice(i..i + 4, words);
+    tokens.splice(i..i + if plain { 3 } else { 4 }, words);
     true
 }
 
