@@ -8,7 +8,7 @@ use crate::jobs::{Job, JobOutcome, Shown, Written};
 use crate::publish::mark;
 use crate::repair::{Wanted, effect, repair};
 use crate::state::State;
-use scenelang_base::{Edit, TextRange};
+use scenelang_base::{Edit, TextRange, codes};
 use scenelang_ide::actions::{self, Action, ActionKind, Detail};
 use scenelang_ide::diagnostics::Finding;
 use scenelang_ide::hints::unplaced;
@@ -21,7 +21,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::sync::Arc;
 use tower_lsp::jsonrpc::Id;
-use tower_lsp::ls_types::{ChangeAnnotation, Command, Diagnostic, LogMessageParams, MessageType, Range, Uri};
+use tower_lsp::ls_types::{
+    ChangeAnnotation, Command, Diagnostic, LogMessageParams, MessageType, NumberOrString, Range, Uri,
+};
 
 /// Parameters of `textDocument/codeAction`.
 #[derive(Deserialize)]
@@ -35,6 +37,9 @@ pub struct CodeActionRequest {
 struct Reason {
     #[serde(default)]
     only: Option<Vec<String>>,
+    /// What the client shows there.
+    #[serde(default)]
+    diagnostics: Vec<Diagnostic>,
 }
 
 const QUICK_FIX: &str = "quickfix";
@@ -90,8 +95,9 @@ pub fn actions(context: &Context, asked: &CodeActionRequest) -> Result<Vec<Offer
                 None => out.push(shown(context, action, asked.within.range)),
             }
         }
+        let contradicted = contradicted(&asked.context.diagnostics, context.uri.as_str());
         for finding in &actions::failing(&context.snapshot, range)? {
-            repairs(context, finding, &mut out)?;
+            repairs(context, finding, &contradicted, &mut out)?;
         }
     }
     let touched = |place: &TextRange| place.start <= range.end && range.start <= place.end;
@@ -206,21 +212,36 @@ fn changes(context: &Context, finding: &Finding) -> Result<(Vec<Offered>, Change
 
 const ASSERT: &str = "assert";
 
+/// Where statements are that are proved to contradict each other: no layout repairs one of them.
+fn contradicted(shown: &[Diagnostic], uri: &str) -> Vec<Range> {
+    let proved = |mark: &&Diagnostic| matches!(&mark.code, Some(NumberOrString::String(code)) if *code == codes::E0401.as_str() || *code == codes::E0402.as_str());
+    let related = |mark: &Diagnostic| -> Vec<Range> {
+        let places = mark.related_information.iter().flatten().map(|related| &related.location);
+        places.filter(|place| place.uri.as_str() == uri).map(|place| place.range).collect()
+    };
+    shown.iter().filter(proved).flat_map(|mark| std::iter::once(mark.range).chain(related(mark))).collect()
+}
+
 /// Repair of something that fails, by longer searches; then by changes of the program. What leaves the program as it is
 /// comes first.
-fn repairs(context: &Context, finding: &Finding, out: &mut Vec<Offered>) -> Result<(), Fault> {
+fn repairs(context: &Context, finding: &Finding, contradicted: &[Range], out: &mut Vec<Offered>) -> Result<(), Fault> {
     let Some(label) = &finding.diagnostic.primary else { return Ok(()) };
-    let line = context.range(label.place.range).start.line;
+    let place = context.range(label.place.range);
+    let line = place.start.line;
+    let is_refuted = contradicted.iter().any(|range| range.start <= place.end && place.start <= range.end);
     let offer = |title: &str| {
         let diagnostics = Some(vec![marked(context, finding)]);
         Offered { title: title.to_owned(), kind: QUICK_FIX, diagnostics, ..Offered::default() }
     };
     let later = |program: bool| Some(About::Later(Data::Repair { uri: context.uri.clone(), line, program }));
-    let mut offered = vec![if context.client.resolves_edits {
-        Offered { data: later(false), ..offer(REPAIR) }
-    } else {
-        Offered { command: Some(repair_command(&context.uri, line)?), ..offer(REPAIR) }
-    }];
+    let mut offered = Vec::new();
+    if !is_refuted {
+        offered.push(if context.client.resolves_edits {
+            Offered { data: later(false), ..offer(REPAIR) }
+        } else {
+            Offered { command: Some(repair_command(&context.uri, line)?), ..offer(REPAIR) }
+        });
+    }
     let (changes, changeable) = changes(context, finding)?;
     offered.extend(changes);
     if context.client.resolves_edits && changeable == Changeable::Perhaps {

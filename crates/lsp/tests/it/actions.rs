@@ -6,6 +6,18 @@ use serde_json::{Value, json};
 impl Client {
     /// What is offered where some text stands.
     fn offered(&mut self, uri: &str, text: &str, marked: &str, only: Option<&str>) -> Vec<Value> {
+        self.offered_beside(uri, text, marked, only, &[])
+    }
+
+    /// The same where the client shows these diagnostics.
+    fn offered_beside(
+        &mut self,
+        uri: &str,
+        text: &str,
+        marked: &str,
+        only: Option<&str>,
+        marks: &[Value],
+    ) -> Vec<Value> {
         let (from, to) = match marked.split_once('‹') {
             None => (at(text, marked), at(text, marked)),
             Some((before, rest)) => {
@@ -13,7 +25,7 @@ impl Client {
                 (at(text, &format!("{before}|{inner}{after}")), at(text, &format!("{before}{inner}|{after}")))
             }
         };
-        let context = json!({ "diagnostics": [], "only": only.map(|kind| vec![kind]) });
+        let context = json!({ "diagnostics": marks, "only": only.map(|kind| vec![kind]) });
         let ask = json!({ "textDocument": { "uri": uri }, "range": { "start": from, "end": to }, "context": context });
         self.ask("textDocument/codeAction", ask).as_array().unwrap().clone()
     }
@@ -236,6 +248,16 @@ fn contradictions_are_refused_with_their_smallest_set() {
     let (_, why) = client.refused("codeAction/resolve", repair);
     assert!(why.contains("`bed.pos.x > 0.3` (line ") && why.contains("`bed.pos.x < 0.2` (line "), "{why}");
     assert!(!why.contains("gap("), "nothing else is in it: {why}");
+    // Once it is proved, no repair is offered for what no layout repairs; a change of the program still is.
+    let marks = client.until("a contradiction", |c| {
+        let marks: Vec<Value> =
+            c.published(&uri).iter().filter(|m| m["code"] == "E0401" || m["code"] == "E0402").cloned().collect();
+        (!marks.is_empty()).then_some(marks)
+    });
+    for statement in ["assert b|ed.pos.x > 0.3", "assert b|ed.pos.x < 0.2"] {
+        let all = client.offered_beside(&uri, &text, statement, None, &marks);
+        assert!(all.iter().all(|a| a["title"] != "Repair this constraint"), "{statement}: {all:?}");
+    }
     client.stop();
 }
 
