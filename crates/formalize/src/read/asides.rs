@@ -9,7 +9,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 17] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 20] = [
         ones,
         biggest,
         racks,
@@ -27,6 +27,9 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         door_on_wall,
         ship_bridge,
         stations,
+        on_which,
+        have_between,
+        one_of_the_walls,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -88,7 +91,9 @@ fn racks(tokens: &mut Vec<Token>, i: usize) -> bool {
     let one = word(tokens, i + 1);
     let said = article && word(tokens, i + 2) == "stand" && singular(one) == one && tokens[i + 1].word();
     // "A desk and a chair stand at the wall"; a "reception stand" is read elsewhere.
-    let others = i > 0 && tokens[i - 1].is("and") || matches!(one, "display" | "reception");
+    let others = i > 0 && tokens[i - 1].is("and") || matches!(one, "display" | "reception") || get().is_look(one);
+    // "A red stand mixer".
+    let others = others || !(ends(tokens, i + 3) || get().relation(&tokens[i + 3..]).is_some_and(|(_, n)| n > 0));
     if said && !others && scenelang_lang::nouns::noun(&format!("{one} stand")).is_none() {
         put(tokens, i + 1, i + 3, &["display", "stand"]);
         return true;
@@ -177,7 +182,7 @@ fn neon(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A rug under the seating": under the table that the seats stand around, or before the sofa.
+/// "A rug under the seating": under the sofa, or the table that the seats stand around.
 fn under_seating(tokens: &mut Vec<Token>, i: usize) -> bool {
     let under = matches!(word(tokens, i), "under" | "underneath" | "beneath");
     let seating = word(tokens, i + 1) == "the" && matches!(word(tokens, i + 2), "seating" | "seats");
@@ -188,8 +193,8 @@ fn under_seating(tokens: &mut Vec<Token>, i: usize) -> bool {
     let table = tokens[..i].windows(2).any(|pair| pair[0].is("coffee") && pair[1].is("table"));
     let sofa = tokens[..i].iter().any(|t| t.is("sofa") || t.is("couch"));
     match () {
+        () if sofa => put(tokens, i + 2, i + 3 + group, &["sofa"]),
         () if table => put(tokens, i + 2, i + 3 + group, &["coffee", "table"]),
-        () if sofa => put(tokens, i, i + 3 + group, &["in", "front", "of", "the", "sofa"]),
         () => return false,
     }
     true
@@ -343,6 +348,63 @@ fn stations(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A desk next to which stands a lamp": with a lamp next to it.
+fn on_which(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let n = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
+        ["on" | "above" | "under" | "below" | "behind" | "beside" | "near", "which", _] => 1,
+        ["next", "to", "which"] => 2,
+        ["in", "front", "of"] if word(tokens, i + 3) == "which" => 3,
+        _ => return false,
+    };
+    let there = usize::from(word(tokens, i + n + 1) == "there");
+    let verb = i + n + 1 + there;
+    let is = matches!(word(tokens, verb), "is" | "stands" | "hangs" | "sits" | "lies");
+    let article = is && matches!(word(tokens, verb + 1), "a" | "an" | "one");
+    let Some(what) = noun(tokens, verb + 2).filter(|what| article && ends(tokens, what.end)) else { return false };
+    let like = tokens[i].clone();
+    let said = |text: &str| Token { text: text.to_owned(), ..like.clone() };
+    let mut words = vec![said("with")];
+    words.extend_from_slice(&tokens[verb + 1..what.end]);
+    words.extend_from_slice(&tokens[i..i + n]);
+    words.push(said("it"));
+    let comma = usize::from(i > 0 && tokens[i - 1].is(","));
+    tokens.splice(i - comma..what.end, words);
+    true
+}
+
+/// "The bed and the chest have a lamp between them": a lamp is between the bed and the chest.
+fn have_between(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some(first) = definite(tokens, i).filter(|first| word(tokens, first.end) == "and") else { return false };
+    let Some(second) = definite(tokens, first.end + 1) else { return false };
+    let have = second.end;
+    let article = word(tokens, have) == "have" && matches!(word(tokens, have + 1), "a" | "an" | "one");
+    let Some(what) = noun(tokens, have + 2).filter(|_| article) else { return false };
+    if word(tokens, what.end) != "between" || word(tokens, what.end + 1) != "them" || !ends(tokens, what.end + 2) {
+        return false;
+    }
+    let like = tokens[have].clone();
+    let mut words: Vec<Token> = tokens[have + 1..what.end].to_vec();
+    words.extend(["is", "between"].map(|text| Token { text: text.to_owned(), ..like.clone() }));
+    words.extend_from_slice(&tokens[i..second.end]);
+    tokens.splice(i..what.end + 2, words);
+    true
+}
+
+/// "In one of the corners", "against one of the walls": in a corner, against a wall.
+fn one_of_the_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "one" && word(tokens, i + 1) == "of" && word(tokens, i + 2) == "the";
+    let one = match word(tokens, i + 3) {
+        "corners" => "corner",
+        "walls" => "wall",
+        _ => return false,
+    };
+    let at = i > 0 && matches!(word(tokens, i - 1), "in" | "against" | "on" | "along" | "at");
+    if said && at {
+        put(tokens, i, i + 4, &["a", one]);
+    }
+    said && at
+}
+
 /// The noun after "the" that begins here.
 fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
     noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
@@ -366,6 +428,7 @@ mod tests {
             ("a bench before the biggest painting.", "a bench before the biggest painting ."),
             ("a desk with a brochure stand beside it", "a desk with a display stand beside it"),
             ("a plant stand beside it", "a plant stand beside it"),
+            ("a red stand mixer and a fruit stand mixer", "a red stand mixer and a fruit stand mixer"),
             ("a kitchen with the sink facing the window.", "a kitchen with the sink under the window ."),
             ("a table with a bench on the wall side.", "a table with a bench on one side ."),
             ("three pictures on the long right-hand wall", "three pictures on the right wall"),
@@ -386,6 +449,10 @@ mod tests {
                 "two forklifts parked by the loading door , and ten boxes . the loading door is on the short wall . a lamp",
             ),
             ("the bridge of a cargo ship with four crew stations", "a control room with four workstations"),
+            ("a desk, next to which stands a lamp.", "a desk with a lamp next to it ."),
+            ("a desk on which there is a lamp", "a desk with a lamp on it"),
+            ("the bed and the chest have a lamp between them.", "a lamp is between the bed and the chest ."),
+            ("a plant in one of the corners", "a plant in a corner"),
             ("two partition walls split it into three zones. a desk", "two room dividers . a desk"),
         ] {
             assert_eq!(plainly(text), becomes);

@@ -132,7 +132,10 @@ pub(super) fn names_room(tokens: &[Token], from: usize) -> bool {
         let function =
             words[..n].iter().any(|w| LEADS.contains(&w.as_str()) || matches!(w.as_str(), "for" | "to" | "on"));
         let next = word(tokens, from + n);
-        !function && (n == words.len() && n < LONGEST || get().noun(&singular(next)).is_none())
+        // A toilet and a bar are things as well, unless the request begins with them.
+        let is_thing = get().noun(&words[n - 1]).is_some()
+            && tokens[..from].iter().any(|t| !t.word() || t.is("with") || t.is("and"));
+        !function && !is_thing && (n == words.len() && n < LONGEST || get().noun(&singular(next)).is_none())
     })
 }
 
@@ -181,6 +184,8 @@ mod tests {
             ("a study with an art deco style lamp", "a study with an art deco style lamp", ""),
             ("a modern kitchen table in a hall", "a modern kitchen table in a hall", ""),
             ("a vintage bar stool", "a vintage bar stool", ""),
+            ("a bath, and a modern toilet beside it", "a bath , and a modern toilet beside it", ""),
+            ("a modern bar with stools", "a bar with stools", "modern"),
         ] {
             let mut tokens = tokens(text, 100).0;
             let found = lift(&mut tokens).iter().map(|style| style.name).collect::<Vec<_>>().join(" ");
