@@ -9,7 +9,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 20] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 22] = [
         ones,
         biggest,
         racks,
@@ -30,6 +30,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         on_which,
         have_between,
         one_of_the_walls,
+        for_people,
+        stack,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -405,6 +407,47 @@ fn one_of_the_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     said && at
 }
 
+/// "An office for twelve people, desks in pairs": twelve desks.
+fn for_people(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let grouped = word(tokens, i) == "desks" && word(tokens, i + 1) == "in" && word(tokens, i + 2) == "pairs";
+    let counted = i > 0
+        && (tokens[i - 1].word() || matches!(tokens[i - 1].kind, WordKind::Number(_)))
+        && !matches!(word(tokens, i - 1), "and" | "with");
+    if !grouped || counted {
+        return false;
+    }
+    let people = (0..i).find_map(|k| {
+        let (_, used) = super::number::count(&tokens[k + 1..]).filter(|_| word(tokens, k) == "for")?;
+        let who = word(tokens, k + 1 + used);
+        matches!(who, "people" | "employees" | "persons" | "colleagues" | "workers")
+            .then(|| tokens[k + 1..k + 1 + used].to_vec())
+    });
+    let Some(people) = people else { return false };
+    let at = tokens[i].at.clone();
+    tokens.splice(i..i, people.into_iter().map(|t| Token { at: at.clone(), ..t }));
+    true
+}
+
+/// "A barrel stack", "a stack of barrels": three barrels.
+fn stack(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !matches!(word(tokens, i), "a" | "one") {
+        return false;
+    }
+    let (name, end) = match [word(tokens, i + 1), word(tokens, i + 2)] {
+        ["stack" | "pile", "of"] => (i + 3, i + 4),
+        [_, "stack" | "pile"] => (i + 1, i + 3),
+        _ => return false,
+    };
+    let one = singular(word(tokens, name));
+    const STACKED: [&str; 8] = ["barrel", "crate", "box", "pallet", "tire", "tyre", "log", "sack"];
+    if !STACKED.contains(&one.as_str()) || !ends(tokens, end) && get().relation(&tokens[end..]).is_none() {
+        return false;
+    }
+    let many = scenelang_lang::nouns::plural(&one);
+    put(tokens, i, end, &["three", &many]);
+    true
+}
+
 /// The noun after "the" that begins here.
 fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
     noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
@@ -453,6 +496,8 @@ mod tests {
             ("a desk on which there is a lamp", "a desk with a lamp on it"),
             ("the bed and the chest have a lamp between them.", "a lamp is between the bed and the chest ."),
             ("a plant in one of the corners", "a plant in a corner"),
+            ("an office for twelve people, desks in pairs", "an office for twelve people , twelve desks in pairs"),
+            ("a barrel stack and a stack of crates by the door", "three barrels and three crates by the door"),
             ("two partition walls split it into three zones. a desk", "two room dividers . a desk"),
         ] {
             assert_eq!(plainly(text), becomes);

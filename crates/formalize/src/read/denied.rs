@@ -17,6 +17,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || clear_space(tokens, i)
         || the_distance(tokens, i)
         || of_any(tokens, i)
+        || one_within(tokens, i)
         || listed_after(tokens, i)
 }
 
@@ -257,6 +258,34 @@ fn of_any(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "There is a shower within 3 m of every bench", of three showers: every bench is within 3 m of one of the showers.
+fn one_within(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let there = word(tokens, i) == "there" && begins(tokens, i);
+    let article = match [word(tokens, i + 1), word(tokens, i + 2)] {
+        ["is", _] => i + 2,
+        ["must" | "should", "be"] => i + 3,
+        _ => return false,
+    };
+    let Some((within, words)) = of_them(tokens, article, i).filter(|(end, _)| there && word(tokens, *end) == "within")
+    else {
+        return false;
+    };
+    let Some(used) = length(tokens, within + 1) else { return false };
+    let of = within + 1 + used;
+    let each = word(tokens, of) == "of" && matches!(word(tokens, of + 1), "each" | "every");
+    let Some(name) = noun(tokens, of + 2).filter(|name| each && ends(tokens, name.end)) else { return false };
+    if words.first().is_none_or(|first| first != "one") {
+        return false;
+    }
+    let like = tokens[i].clone();
+    let mut all: Vec<Token> = tokens[of + 1..name.end].to_vec();
+    all.push(said("is", &like));
+    all.extend_from_slice(&tokens[within..=of]);
+    all.extend(words.iter().map(|text| said(text, &like)));
+    tokens.splice(i..name.end, all);
+    true
+}
+
 /// "A hall with a desk with a lamp on it and a fridge": the list goes on, and the fridge has nothing to do with the desk.
 fn listed_after(tokens: &mut [Token], i: usize) -> bool {
     if word(tokens, i) != "with" || !matches!(word(tokens, i + 1), "a" | "an") {
@@ -320,6 +349,11 @@ mod tests {
                 "three showers. every bench is within 3 m of a shower.",
                 "three showers . every bench is within 3 m of one of the showers .",
             ),
+            (
+                "three showers. there is a shower within 3 m of every bench.",
+                "three showers . every bench is within 3 m of one of the showers .",
+            ),
+            ("there is a shower within 3 m of every bench.", "there is a shower within 3 m of every bench ."),
             ("every bench is within 3 m of a shower.", "every bench is within 3 m of a shower ."),
             ("a hall with a desk with a lamp on it and a fridge", "a hall with a desk , a lamp on it and a fridge"),
             ("a desk with a lamp on it and a fridge", "a desk with a lamp on it and a fridge"),

@@ -54,6 +54,8 @@ pub fn count(tokens: &[Token]) -> Option<(f64, usize)> {
         }
         "half-dozen" => return Some((6.0, of(article + 1))),
         "half" if text(article + 1) == "dozen" => return Some((6.0, of(article + 2))),
+        "score" if text(article + 1) == "of" => return Some((20.0, article + 2)),
+        "quartet" => return Some((4.0, of(article + 1))),
         "trio" => return Some((3.0, of(article + 1))),
         _ => {}
     }

@@ -8,7 +8,9 @@ use super::token::{Token, WordKind};
 /// Turns what can be said more plainly. Shared words keep their places in the request.
 pub fn plain(tokens: &mut Vec<Token>) {
     let mut i = 0;
-    while i < tokens.len() {
+    // No text becomes so much longer: whatever rules make of it, reading ends.
+    let most = 8 * tokens.len() + 500;
+    while i < tokens.len() && tokens.len() < most {
         let turns: [fn(&mut Vec<Token>, usize) -> bool; 75] = [
             super::spelling::plain,
             super::activities::plain,

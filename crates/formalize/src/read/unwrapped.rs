@@ -3,6 +3,10 @@
 
 /// Lines at least so long are broken where no sentence ends (characters).
 const LONG: usize = 40;
+/// And so long where the next one does not begin like a thing of a list (characters).
+const SHORT: usize = 20;
+/// How things of a list begin.
+const ITEMS: [&str; 10] = ["a", "an", "the", "one", "two", "three", "four", "five", "six", "some"];
 /// What a line may end with, or the next one begin with, if a sentence goes on.
 const GOES_ON: [&str; 34] = [
     "a", "an", "the", "of", "to", "in", "on", "at", "with", "and", "or", "by", "for", "from", "near", "next",
@@ -39,9 +43,11 @@ fn goes_on(line: &str, next: &str) -> bool {
     let begins = next.starts_with(|c: char| c.is_lowercase() || c.is_ascii_digit());
     // "1. A sofa", "2) a lamp": the next of a list.
     let is_item = next.trim_start_matches(|c: char| c.is_ascii_digit()).starts_with(['.', ')', ':']);
-    let more = GOES_ON.contains(&last.to_lowercase().as_str()) || GOES_ON.contains(&first);
+    let more = GOES_ON.contains(&last.to_lowercase().as_str()) || GOES_ON.contains(&first) && !ITEMS.contains(&first);
     let is_capital = next.starts_with(char::is_uppercase) && GOES_ON.contains(&last.to_lowercase().as_str());
-    ends_in_word && !is_item && (begins && (line.chars().count() >= LONG || more) || is_capital)
+    let length = line.chars().count();
+    let is_prose = length >= LONG || length >= SHORT && !ITEMS.contains(&first);
+    ends_in_word && !is_item && (begins && (is_prose || more) || is_capital)
 }
 
 #[cfg(test)]
@@ -57,8 +63,10 @@ mod tests {
             ),
             ("a lamp next to\nthe TV", "a lamp next to the TV"),
             ("a lamp next to the\nTV", "a lamp next to the TV"),
-            ("a desk\na chair\nlamp", "a desk a chair\nlamp"),
+            ("a desk\na chair\nlamp", "a desk\na chair\nlamp"),
             ("desk\nchair\nlamp", "desk\nchair\nlamp"),
+            ("a mirror on the right side\nwall", "a mirror on the right side wall"),
+            ("a desk with two drawers\na chair with arms", "a desk with two drawers\na chair with arms"),
             ("Objects\n- a desk\n- a chair", "Objects\n- a desk\n- a chair"),
             ("a 6m-by-4m room", "a 6m by 4m room"),
         ] {
