@@ -23,6 +23,7 @@ pub fn usual(named: &Named, out: &mut Stated) {
         it.under_others(out);
         it.along_walls(out);
         it.square(out);
+        it.side_by_side(out);
     }
 }
 
@@ -299,6 +300,24 @@ impl<'n, 'b> It<'n, 'b> {
         if large && !is_round && faces && !related && !self.held && size[1] > 0.3 && self.named.counts[self.a] == 1 {
             let name = self.named.name(self.a);
             out.infer(format!("assert abs({name}.front.x * {name}.front.z) <= 0.02;"), "it stands square to the walls");
+        }
+    }
+
+    /// Of a few seats that face one thing, and of which nothing else is said, none stands behind another.
+    fn side_by_side(&self, out: &mut Stated) {
+        let faces = self
+            .said(|w| matches!(w, FactKind::Rel(Rel::Facing, to) if to.len() == 1 && self.named.counts[to[0]] == 1));
+        let other = self.said(|w| {
+            !matches!(
+                w,
+                FactKind::Rel(Rel::Facing, _) | FactKind::Size(..) | FactKind::Place(Rel::In, Place::Middle, _)
+            )
+        });
+        if self.item.group == Group::Seat && (2..=4).contains(&self.named.counts[self.a]) && faces && !other {
+            let first = format!("{}[0]", self.named.name(self.a));
+            let aside =
+                self.named.all(self.a, |x| format!("abs(dot({x}.center - {first}.center, {first}.front)) <= 0.3"));
+            out.infer(format!("prefer {aside};"), "seats that face the same thing stand side by side");
         }
     }
 

@@ -103,6 +103,8 @@ pub struct FurnishingKind {
     pub idle: f64,
     /// Windows for each wall metre of a room with windows: how many in a room of the usual size.
     pub windows: usize,
+    /// Width and height of its windows, where these are larger than in homes.
+    pub panes: Option<[f64; 2]>,
     /// What the floor is made of, and its colour where the material does not tell.
     pub floor: (&'static str, &'static str),
     /// The colour of the walls.
@@ -235,6 +237,7 @@ fn set(kind: &mut FurnishingKind, key: &str, value: &'static str) {
         }
         "eat" => kind.eat = value.split(',').filter_map(|line| entry(line.trim())).collect(),
         "bay" => kind.bay = numbers().try_into().ok(),
+        "panes" => kind.panes = numbers().try_into().ok(),
         "gate" => kind.gate = numbers().try_into().ok(),
         "inner" => kind.inner = Some(value),
         "dress" => kind.dress = value,

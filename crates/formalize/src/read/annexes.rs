@@ -104,11 +104,11 @@ fn by_corridor(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !matches!(word(tokens, article), "a" | "an" | "one") || !CORRIDORS.contains(&word(tokens, name)) {
         return false;
     }
-    let start = tokens[..i].iter().rposition(stops).map_or(0, |end| end + 1);
+    let start = tokens[..i].iter().rposition(Token::stops).map_or(0, |end| end + 1);
     if !begins_with_room(tokens, start, i) {
         return false;
     }
-    let end = tokens[i..].iter().position(stops).map_or(tokens.len(), |at| i + at);
+    let end = tokens[i..].iter().position(Token::stops).map_or(tokens.len(), |at| i + at);
     let measured = name + 1 < end && !ends(tokens, name + 1) && !matches!(word(tokens, name + 1), "with" | "where");
     let like = tokens[name].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..like.clone() };
@@ -125,10 +125,6 @@ fn by_corridor(tokens: &mut Vec<Token>, i: usize) -> bool {
     tokens.drain(i - comma..=name);
     tokens.splice(start..start, front);
     true
-}
-
-fn stops(token: &Token) -> bool {
-    matches!(token.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'))
 }
 
 /// Whether a sentence begins with several rooms, "two offices", or with one of two, "an office and a lab".

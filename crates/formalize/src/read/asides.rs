@@ -9,7 +9,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 22] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 23] = [
         ones,
         biggest,
         racks,
@@ -32,6 +32,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         one_of_the_walls,
         for_people,
         stack,
+        all_over,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -160,7 +161,7 @@ fn cleared(tokens: &mut Vec<Token>, i: usize) -> bool {
     put(tokens, i, end, &["wide"]);
     let from = i - n - if least { 2 } else { 0 };
     let like = tokens[from].clone();
-    let words = ["a", "path"].map(|text| Token { kind: WordKind::Word, text: text.to_owned(), ..like.clone() });
+    let words = ["a", "path"].map(|text| like.saying(text));
     tokens.splice(from..from, words);
     true
 }
@@ -224,8 +225,7 @@ fn partitions(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "From left to right: a bookcase, a lamp and a bench": said after them.
 #[expect(clippy::ptr_arg, reason = "one of the turns")]
 fn from_left(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
-    let begins = i == 0 || stops(&tokens[i - 1]);
+    let begins = i == 0 || tokens[i - 1].stops();
     let sides = matches!((word(tokens, i + 1), word(tokens, i + 3)), ("left", "right") | ("right", "left"));
     if !begins || word(tokens, i) != "from" || !sides || word(tokens, i + 2) != "to" {
         return false;
@@ -233,7 +233,7 @@ fn from_left(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !tokens.get(i + 4).is_some_and(|t| t.is(":") || t.is(",")) {
         return false;
     }
-    let end = tokens[i + 5..].iter().position(stops).map_or(tokens.len(), |n| i + 5 + n);
+    let end = tokens[i + 5..].iter().position(Token::stops).map_or(tokens.len(), |n| i + 5 + n);
     // The sign between them goes along, as a word that says nothing.
     tokens[i + 4].kind = WordKind::Word;
     "there".clone_into(&mut tokens[i + 4].text);
@@ -252,7 +252,7 @@ fn bears(tokens: &mut Vec<Token>, i: usize) -> bool {
     let Some(load) = definite(tokens, verb + 1).filter(|load| bears && ends(tokens, load.end)) else { return false };
     let mut words: Vec<Token> = tokens[verb + 1..load.end].to_vec();
     let like = tokens[verb].clone();
-    words.extend(["stands", "on"].map(|text| Token { text: text.to_owned(), ..like.clone() }));
+    words.extend(["stands", "on"].map(|text| like.saying(text)));
     words.extend_from_slice(&tokens[i..verb]);
     tokens.splice(i..load.end, words);
     true
@@ -278,8 +278,7 @@ fn unblocked(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let like = tokens[i].clone();
-    let mut words: Vec<Token> =
-        ["nothing", "blocks"].map(|text| Token { text: text.to_owned(), ..like.clone() }).to_vec();
+    let mut words: Vec<Token> = ["nothing", "blocks"].map(|text| like.saying(text)).to_vec();
     words.extend_from_slice(&tokens[i..name.end]);
     tokens.splice(i..name.end + said.len(), words);
     true
@@ -312,13 +311,11 @@ fn door_on_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !on || !ends(tokens, at + 4) {
         return false;
     }
-    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
-    let end = tokens[at..].iter().position(stops).map_or(tokens.len(), |n| at + n);
+    let end = tokens[at..].iter().position(Token::stops).map_or(tokens.len(), |n| at + n);
     let like = tokens[at].clone();
-    let said = |text: &str| Token { text: text.to_owned(), ..like.clone() };
-    let mut sentence = vec![Token { kind: WordKind::Sign('.'), ..said(".") }, said("the")];
+    let mut sentence = vec![Token { kind: WordKind::Sign('.'), ..like.saying(".") }, like.saying("the")];
     sentence.extend_from_slice(&tokens[door]);
-    sentence.push(said("is"));
+    sentence.push(like.saying("is"));
     sentence.extend_from_slice(&tokens[at..at + 4]);
     tokens.splice(end..end, sentence);
     tokens.drain(at..at + 4);
@@ -364,11 +361,10 @@ fn on_which(tokens: &mut Vec<Token>, i: usize) -> bool {
     let article = is && matches!(word(tokens, verb + 1), "a" | "an" | "one");
     let Some(what) = noun(tokens, verb + 2).filter(|what| article && ends(tokens, what.end)) else { return false };
     let like = tokens[i].clone();
-    let said = |text: &str| Token { text: text.to_owned(), ..like.clone() };
-    let mut words = vec![said("with")];
+    let mut words = vec![like.saying("with")];
     words.extend_from_slice(&tokens[verb + 1..what.end]);
     words.extend_from_slice(&tokens[i..i + n]);
-    words.push(said("it"));
+    words.push(like.saying("it"));
     let comma = usize::from(i > 0 && tokens[i - 1].is(","));
     tokens.splice(i - comma..what.end, words);
     true
@@ -386,7 +382,7 @@ fn have_between(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let like = tokens[have].clone();
     let mut words: Vec<Token> = tokens[have + 1..what.end].to_vec();
-    words.extend(["is", "between"].map(|text| Token { text: text.to_owned(), ..like.clone() }));
+    words.extend(["is", "between"].map(|text| like.saying(text)));
     words.extend_from_slice(&tokens[i..second.end]);
     tokens.splice(i..what.end + 2, words);
     true
@@ -448,6 +444,28 @@ fn stack(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Clothes all over the floor": six of them on the floor.
+fn all_over(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let what = word(tokens, i);
+    let many = plural(what) && noun(tokens, i).is_some_and(|name| name.end == i + 1);
+    if !many && what != "clothes" {
+        return false;
+    }
+    let lie = usize::from(matches!(word(tokens, i + 1), "scattered" | "strewn" | "thrown" | "lying" | "everywhere"));
+    let all = usize::from(word(tokens, i + 1 + lie) == "all");
+    let over = i + 1 + lie + all;
+    let floor = word(tokens, over) == "over"
+        && word(tokens, over + 1) == "the"
+        && matches!(word(tokens, over + 2), "floor" | "place" | "room");
+    let counted = i > 0 && super::quantified::number(tokens, i - 1).is_some();
+    if !floor || lie + all == 0 || counted || !ends(tokens, over + 3) {
+        return false;
+    }
+    let name = if what == "clothes" { "shirts" } else { what }.to_owned();
+    put(tokens, i, over + 3, &["six", &name, "on", "the", "floor"]);
+    true
+}
+
 /// The noun after "the" that begins here.
 fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
     noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
@@ -498,6 +516,9 @@ mod tests {
             ("a plant in one of the corners", "a plant in a corner"),
             ("an office for twelve people, desks in pairs", "an office for twelve people , twelve desks in pairs"),
             ("a barrel stack and a stack of crates by the door", "three barrels and three crates by the door"),
+            ("a messy bedroom, clothes all over the floor", "a messy bedroom , six shirts on the floor"),
+            ("books scattered all over the place.", "six books on the floor ."),
+            ("a lamp over the floor", "a lamp over the floor"),
             ("two partition walls split it into three zones. a desk", "two room dividers . a desk"),
         ] {
             assert_eq!(plainly(text), becomes);

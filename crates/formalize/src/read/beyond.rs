@@ -26,7 +26,7 @@ fn through(tokens: &mut Vec<Token>, i: usize) -> bool {
     };
     let Some(room) = there_is(tokens, door + 1).filter(|room| name(tokens, room + 1).is_some()) else { return false };
     let like = tokens[door].clone();
-    tokens.splice(door + 1..room, ["leads", "to"].map(|text| said(&like, text)));
+    tokens.splice(door + 1..room, ["leads", "to"].map(|text| like.saying(text)));
     tokens.remove(i);
     true
 }
@@ -53,7 +53,7 @@ fn beside_it(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let like = tokens[i].clone();
-    tokens.splice(i..room, ["a", "door", "leads", "to"].map(|text| said(&like, text)));
+    tokens.splice(i..room, ["a", "door", "leads", "to"].map(|text| like.saying(text)));
     true
 }
 
@@ -67,10 +67,10 @@ fn leads_to(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let like = tokens[end].clone();
-    let mut words = vec![Token { kind: WordKind::Sign('.'), ..said(&like, ".") }];
-    words.extend(["in", "the"].map(|text| said(&like, text)));
-    words.extend(tokens[i + 3..end].iter().map(|t| said(&like, &t.text)));
-    words.extend(["there", "are"].map(|text| said(&like, text)));
+    let mut words = vec![Token { kind: WordKind::Sign('.'), ..like.saying(".") }];
+    words.extend(["in", "the"].map(|text| like.saying(text)));
+    words.extend(tokens[i + 3..end].iter().map(|t| like.saying(&t.text)));
+    words.extend(["there", "are"].map(|text| like.saying(text)));
     tokens.splice(end..=end, words);
     true
 }
@@ -101,10 +101,6 @@ fn name(tokens: &[Token], from: usize) -> Option<usize> {
 
 fn begins(tokens: &[Token], i: usize) -> bool {
     i == 0 || !tokens[i - 1].word() || tokens[i - 1].is("and")
-}
-
-fn said(like: &Token, text: &str) -> Token {
-    Token { kind: WordKind::Word, text: text.to_owned(), owner: false, capital: false, ..like.clone() }
 }
 
 #[cfg(test)]

@@ -141,7 +141,7 @@ pub fn beside_the_point(tokens: &mut Vec<Token>) -> Vec<Note> {
     let mut notes = Vec::new();
     let mut from = 0;
     while from < tokens.len() {
-        let end = tokens[from..].iter().position(stops).map_or(tokens.len(), |n| from + n);
+        let end = tokens[from..].iter().position(Token::stops).map_or(tokens.len(), |n| from + n);
         if from < end && is_beside(&tokens[from..end]) {
             let at = tokens[from].at.start..tokens[end - 1].at.end;
             notes.push(Note { at, reason: "this says nothing of what is in the room".to_owned() });
@@ -183,12 +183,8 @@ fn is(tokens: &[Token], at: usize, words: &[&str]) -> bool {
     words.iter().enumerate().all(|(k, w)| word(tokens, at + k) == *w)
 }
 
-fn stops(token: &Token) -> bool {
-    matches!(token.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'))
-}
-
 fn begins(tokens: &[Token], i: usize) -> bool {
-    i == 0 || stops(&tokens[i - 1])
+    i == 0 || tokens[i - 1].stops()
 }
 
 /// Takes words out, with the comma before or after them.

@@ -45,7 +45,9 @@ fn no_more_than(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let what = of_them(tokens, from + 1, i);
     let size: Vec<Token> = tokens[verb + 2..verb + 2 + used].to_vec();
-    every(tokens, i, &name, &[said("within", &size[0])], &size, "of", what, from)
+    let like = size[0].clone();
+    let middle = [&[like.saying("within")], &size[..], &[like.saying("of")]].concat();
+    every(tokens, i, &name, middle, what, from)
 }
 
 /// "No desk is further away from the printer than 3 m": every desk is within 3 m of it.
@@ -65,39 +67,29 @@ fn no_further_than(tokens: &mut Vec<Token>, i: usize) -> bool {
     tokens.drain(than..than + 1 + used);
     let what = of_them(tokens, from + 1, i);
     let like = size[0].clone();
-    if far {
-        every(tokens, i, &name, &[said("within", &like)], &size, "of", what, from)
-    } else {
-        every(tokens, i, &name, &[said("at", &like), said("least", &like)], &size, "from", what, from)
-    }
+    let leads: &[&str] = if far { &["within"] } else { &["at", "least"] };
+    let mut middle: Vec<Token> = leads.iter().map(|text| like.saying(text)).collect();
+    middle.extend(size);
+    middle.push(like.saying(if far { "of" } else { "from" }));
+    every(tokens, i, &name, middle, what, from)
 }
 
-/// Writes "every X is LEADS SIZE OF WHAT" in the place of all words up to where `from` stood and what follows it.
-#[expect(clippy::too_many_arguments, reason = "the parts of one sentence")]
+/// Writes "every X is MIDDLE WHAT" in the place of all words up to the end of what was named, or to what follows `from`.
 fn every(
     tokens: &mut Vec<Token>,
     i: usize,
     name: &std::ops::Range<usize>,
-    leads: &[Token],
-    size: &[Token],
-    of: &str,
+    middle: Vec<Token>,
     what: Option<(usize, Vec<String>)>,
     from: usize,
 ) -> bool {
     let like = tokens[i].clone();
-    let mut words = vec![said("every", &like)];
+    let mut words = vec![like.saying("every")];
     words.extend_from_slice(&tokens[name.clone()]);
-    words.push(said("is", &like));
-    words.extend_from_slice(leads);
-    words.extend_from_slice(size);
-    words.push(said(of, &like));
-    let end = match what {
-        Some((end, names)) => {
-            words.extend(names.iter().map(|name| said(name, &like)));
-            end
-        }
-        None => from + 1,
-    };
+    words.push(like.saying("is"));
+    words.extend(middle);
+    let (end, names) = what.unwrap_or((from + 1, Vec::new()));
+    words.extend(names.iter().map(|name| like.saying(name)));
     tokens.splice(i..end, words);
     true
 }
@@ -155,7 +147,7 @@ fn within_of_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     };
     let Some(what) = noun(tokens, thing + 1).filter(|what| ends(tokens, what.end)) else { return false };
     let like = tokens[i].clone();
-    let mut words = vec![said("there", &like), said("is", &like)];
+    let mut words = vec![like.saying("there"), like.saying("is")];
     words.extend_from_slice(&tokens[thing..what.end]);
     words.extend_from_slice(&tokens[i..name.end]);
     tokens.splice(i..what.end, words);
@@ -191,7 +183,7 @@ fn clear_space(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let like = tokens[i].clone();
     let mut words: Vec<Token> = tokens[least..at + used].to_vec();
-    words.extend(["must", "be", "kept", "clear"].map(|text| said(text, &like)));
+    words.extend(["must", "be", "kept", "clear"].map(|text| like.saying(text)));
     words.extend_from_slice(&tokens[i..name.end]);
     tokens.splice(i..end + 2, words);
     true
@@ -227,10 +219,10 @@ fn the_distance(tokens: &mut Vec<Token>, i: usize) -> bool {
     let (who, what) = if each(second.start) && !each(first.start) { (second, first) } else { (first, second) };
     let like = tokens[i].clone();
     let mut words: Vec<Token> = tokens[who].to_vec();
-    words.push(said("is", &like));
-    words.extend(if most { vec!["within"] } else { vec!["at", "least"] }.into_iter().map(|text| said(text, &like)));
+    words.push(like.saying("is"));
+    words.extend(if most { vec!["within"] } else { vec!["at", "least"] }.into_iter().map(|text| like.saying(text)));
     words.extend_from_slice(&tokens[at..at + used]);
-    words.push(said(if most { "of" } else { "from" }, &like));
+    words.push(like.saying(if most { "of" } else { "from" }));
     words.extend_from_slice(&tokens[what]);
     tokens.splice(i..at + used, words);
     true
@@ -241,8 +233,7 @@ fn of_any(tokens: &mut Vec<Token>, i: usize) -> bool {
     if word(tokens, i) != "of" || !matches!(word(tokens, i + 1), "a" | "an" | "some" | "any") {
         return false;
     }
-    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
-    let from = tokens[..i].iter().rposition(stops).map_or(0, |n| n + 1);
+    let from = tokens[..i].iter().rposition(Token::stops).map_or(0, |n| n + 1);
     let each = (from..i).any(|k| matches!(word(tokens, k), "every" | "each"));
     let within = (i.saturating_sub(5)..i).find(|k| word(tokens, *k) == "within");
     let measured = within.is_some_and(|k| length(tokens, k + 1).is_some_and(|used| k + 1 + used == i));
@@ -279,9 +270,9 @@ fn one_within(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let like = tokens[i].clone();
     let mut all: Vec<Token> = tokens[of + 1..name.end].to_vec();
-    all.push(said("is", &like));
+    all.push(like.saying("is"));
     all.extend_from_slice(&tokens[within..=of]);
-    all.extend(words.iter().map(|text| said(text, &like)));
+    all.extend(words.iter().map(|text| like.saying(text)));
     tokens.splice(i..name.end, all);
     true
 }
@@ -297,8 +288,7 @@ fn listed_after(tokens: &mut [Token], i: usize) -> bool {
     let comma = usize::from(tokens.get(next).is_some_and(|t| t.is(",")));
     let and = usize::from(word(tokens, next + comma) == "and");
     let more = comma + and > 0 && matches!(word(tokens, next + comma + and), "a" | "an" | "two" | "three" | "four");
-    let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'));
-    let from = tokens[..i].iter().rposition(stops).map_or(0, |n| n + 1);
+    let from = tokens[..i].iter().rposition(Token::stops).map_or(0, |n| n + 1);
     let in_list = (from..i).any(|k| matches!(word(tokens, k), "with" | "has" | "contains"));
     if !on_it || !more || !in_list {
         return false;
@@ -316,10 +306,6 @@ fn length(tokens: &[Token], at: usize) -> Option<usize> {
 
 fn begins(tokens: &[Token], i: usize) -> bool {
     i == 0 || !tokens[i - 1].word() && !tokens[i - 1].is(",")
-}
-
-fn said(text: &str, like: &Token) -> Token {
-    Token { kind: WordKind::Word, text: text.to_owned(), owner: false, capital: false, ..like.clone() }
 }
 
 #[cfg(test)]

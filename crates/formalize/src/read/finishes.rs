@@ -27,6 +27,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
     while i < tokens.len() {
         tiled(tokens, i);
         two_colors(tokens, i);
+        wall_of(tokens, i);
         match finish(tokens, i).filter(|finish| is_plain(tokens, finish)) {
             Some(finish) => move_out(tokens, &finish),
             None => i += 1,
@@ -41,6 +42,24 @@ fn two_colors(tokens: &mut Vec<Token>, i: usize) {
     if color(i) && word(tokens, i + 1) == "and" && color(i + 2) && floor {
         super::paraphrase::put(tokens, i, i + 2, &["two-tone"]);
     }
+}
+
+/// "A menu on the brick wall behind the bar": on the wall; the walls are of brick.
+fn wall_of(tokens: &mut Vec<Token>, i: usize) {
+    const OF: [&str; 6] = ["brick", "stone", "concrete", "wooden", "tiled", "marble"];
+    let on = matches!(word(tokens, i), "on" | "against" | "along" | "at") && matches!(word(tokens, i + 1), "the" | "a");
+    let treated = usize::from(TREATED.contains(&word(tokens, i + 2)));
+    let of = i + 2 + treated;
+    if !on || !OF.contains(&word(tokens, of)) || word(tokens, of + 1) != "wall" {
+        return;
+    }
+    let end = sentence(tokens, i).end;
+    let like = tokens[of].clone();
+    let mut said = vec![Token { kind: WordKind::Sign('.'), ..like.saying(".") }];
+    said.extend(["the", "walls", "are"].map(|text| like.saying(text)));
+    said.push(like.clone());
+    tokens.splice(end..end, said);
+    tokens.drain(i + 2..=of);
 }
 
 /// "A bath and two sinks, all in pale tiles": with pale tiles.
@@ -173,6 +192,10 @@ mod tests {
     fn finishes_are_said_of_the_room() {
         for (text, becomes) in [
             ("a bedroom with blue walls.", "a bedroom . the walls are blue ."),
+            (
+                "a bar with a menu on the brick wall behind it. a stool",
+                "a bar with a menu on the wall behind it . the walls are brick . a stool",
+            ),
             ("a bedroom with blue walls and a bed", "a bedroom with a bed . the walls are blue"),
             (
                 "a bedroom with a bed, light blue walls and a dark oak floor. a desk.",

@@ -36,14 +36,10 @@ const PROPOSES: [&[&str]; 20] = [
     &["what", "about"],
 ];
 
-fn ends_sentence(t: &Token) -> bool {
-    matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'))
-}
-
 /// What is proposed in the last question of an answer; nothing if it leaves a choice.
 fn proposal(said: &[Token]) -> Option<(usize, &[Token])> {
     let end = said.len().checked_sub(1).filter(|k| said[*k].is("?"))?;
-    let from = said[..end].iter().rposition(ends_sentence).map_or(0, |k| k + 1);
+    let from = said[..end].iter().rposition(Token::stops).map_or(0, |k| k + 1);
     let question = &said[from..end];
     // "Great. Then shall I …", "Sure, what about …"
     let lead = (0..question.len().min(4)).find_map(|skip| {
@@ -97,7 +93,7 @@ fn others(tokens: &[Token]) -> Vec<Turn> {
     let words = |parity: usize| -> usize {
         let ends = at.iter().skip(1).copied().chain([tokens.len()]);
         let turns = at.iter().zip(ends).skip(parity).step_by(2);
-        let sentences = turns.flat_map(|(from, to)| tokens[*from + 2..to].split_inclusive(ends_sentence));
+        let sentences = turns.flat_map(|(from, to)| tokens[*from + 2..to].split_inclusive(Token::stops));
         sentences.filter(|s| s.last().is_some_and(|t| !t.is("?"))).map(<[Token]>::len).sum()
     };
     let told = |name: &str| if ASKS.contains(&name) { Some(true) } else { ANSWERS.contains(&name).then_some(false) };

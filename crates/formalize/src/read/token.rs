@@ -40,6 +40,16 @@ impl Token {
     pub fn word(&self) -> bool {
         self.kind == WordKind::Word
     }
+
+    /// Whether a sentence ends here.
+    pub fn stops(&self) -> bool {
+        matches!(self.kind, WordKind::Line | WordKind::Sign('.' | '!' | '?' | ';'))
+    }
+
+    /// Another word, said where this one is.
+    pub fn saying(&self, text: &str) -> Self {
+        Self { kind: WordKind::Word, text: text.to_owned(), at: self.at.clone(), owner: false, capital: false }
+    }
 }
 
 /// Words that may be shortened, with a full stop behind them.

@@ -291,6 +291,14 @@ proptest! {
 }
 
 #[test]
+fn a_room_does_not_shrink_below_what_lies_in_it() {
+    let text = "a kitchen with a rug of 5 by 4 m in the middle";
+    for text in [text, "chair rug in the middle 5 by 4 m kitchen"] {
+        assert_eq!(faults(&read(text, &Options::default()).draft), Vec::<String>::new(), "{text}");
+    }
+}
+
+#[test]
 fn any_noun_may_be_the_last_word() {
     for noun in scenelang_lang::nouns::all() {
         let name = noun.name.replace('_', " ");

@@ -72,6 +72,7 @@ const RULES: &[fn(&Site<'_>) -> Option<Finding>] = &[
     habits::weight,
     habits::vector,
     habits::no_colon,
+    operators::pairs,
     operators::comma,
     operators::unit,
     operators::misspelt,

@@ -151,6 +151,39 @@ pub fn foreign_use(site: &Site<'_>) -> Option<Finding> {
     }
 }
 
+/// `forall a, b in S`, `forall a in S, b in S`: one variable each.
+pub fn pairs(site: &Site<'_>) -> Option<Finding> {
+    if site.found() != Some(Kind::Comma) {
+        return None;
+    }
+    let begins = |at: usize| matches!(site.kind(at), Some(Kind::Forall | Kind::Exists));
+    let quantifier = (0..site.at).rev().find(|at| begins(*at))?;
+    let names = site.kind(quantifier + 1) == Some(Kind::Ident) && site.kind(site.at + 1) == Some(Kind::Ident);
+    let listed = site.at == quantifier + 2;
+    let again = site.slice(quantifier + 2) == "in" && site.slice(site.at + 2) == "in";
+    let colon = (quantifier..site.at).any(|at| site.kind(at) == Some(Kind::Colon));
+    if !names || colon || !(listed || again) {
+        return None;
+    }
+    let message = format!("{} has one variable", site.quoted(quantifier));
+    let (a, b) = (site.slice(quantifier + 1), site.slice(site.at + 1));
+    let note = format!("for pairs, write `forall {a} in chair: forall {b} in chair: {a} != {b} implies …`");
+    Some(Diagnostic::new(E0110, site.range(site.at), message).note(note))
+}
+
+/// `count(c in S where φ)`: a set, and nothing that is counted in it.
+fn narrowed(site: &Site<'_>) -> Option<Finding> {
+    let open = site.innermost_open().filter(|_| site.found() == Some(Kind::RParen))?;
+    let at = (open..site.at).rev().find(|at| site.kind(*at) == Some(Kind::Where))?;
+    let counts = site.kind(open.checked_sub(1)?) == Some(Kind::Count);
+    let place = TextRange::new(site.behind(at - 1).start as usize, site.range(at).end as usize);
+    let message = "`count` has a set, but no condition";
+    let note =
+        "`where` makes the set smaller; what is counted stands after `:`, as in `count(c in chair: c.pos.x > 1)`";
+    let diagnostic = Diagnostic::new(E0110, site.range(at), message).note(note);
+    counts.then(|| diagnostic.fix(Applicability::Unsafe, "write `:`", place, ":"))
+}
+
 /// `forall x S`, `forall x in S …`
 pub fn quantifier(site: &Site<'_>) -> Option<Finding> {
     let place = site.range(site.at);
@@ -174,6 +207,9 @@ pub fn quantifier(site: &Site<'_>) -> Option<Finding> {
     }
     if !site.wanted.has(Wanted::COLON) || site.found().is_some_and(|k| !begins_value(k) && k != Kind::RParen) {
         return None;
+    }
+    if let Some(finding) = narrowed(site) {
+        return Some(finding);
     }
     let message = format!("expected `:` and a condition after the set, found {}", site.name_of(site.at));
     let diagnostic = Diagnostic::new(E0110, place, message).note("as in `forall c in chair: …`");
