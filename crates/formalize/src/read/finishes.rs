@@ -57,7 +57,7 @@ fn wall_of(tokens: &mut Vec<Token>, i: usize) {
     let like = tokens[of].clone();
     let mut said = vec![Token { kind: WordKind::Sign('.'), ..like.saying(".") }];
     said.extend(["the", "walls", "are"].map(|text| like.saying(text)));
-    said.push(like.clone());
+    said.push(like);
     tokens.splice(end..end, said);
     tokens.drain(i + 2..=of);
 }
