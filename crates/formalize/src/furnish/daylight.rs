@@ -69,18 +69,17 @@ fn windows(plan: &Plan) -> Option<Windows> {
     let wanted = if plan.draft.rooms.len() > 1 { wanted.max(plan.kind.windows.min(1)) } else { wanted };
     // Small ones where it is narrow.
     let first = if plan.draft.rooms.len() > 1 && w.min(d) < 2.4 { 2 } else { 0 };
-    let large =
-        plan.kind.panes.filter(|_| plan.draft.rooms.len() == 1).map(|[width, height]| [width, height, WINDOWS[0][2]]);
-    for [width, height, thick] in large.into_iter().chain(WINDOWS[first..].iter().copied()) {
+    let large = plan.kind.panes.filter(|_| plan.draft.rooms.len() == 1);
+    let large = large.map(|[width, height]| [width, height, WINDOWS[0][2]]);
+    let sizes = large.map(|size| (true, size)).into_iter().chain(WINDOWS[first..].iter().map(|size| (false, *size)));
+    for (is_large, [width, height, thick]) in sizes {
         let height = if cooks(plan) { height.min(OVER_WORKTOPS) } else { height };
         let size = [width, height.min(h - 1.1).max(0.4), thick];
         let step = width + BETWEEN;
         let most = ((w.max(d) - 0.4) / step) as usize;
         let count = wanted.min(most).min(MOST);
         // Large ones only where all of them find room.
-        if large.is_some_and(|large| large[0] == width)
-            && in_wall(plan, count, size, step).is_none_or(|(.., fit)| fit < count)
-        {
+        if is_large && in_wall(plan, count, size, step).is_none_or(|(.., fit)| fit < count) {
             continue;
         }
         if plan.draft.rooms[plan.room].outline.is_some() {

@@ -133,13 +133,7 @@ fn shrink(
     };
     let own = draft.things.iter().filter(|thing| thing.room == Some(at));
     let longest = own.filter_map(|thing| thing.size).fold(0.0, |most: f64, [w, _, d]| most.max(w).max(d)) + BESIDE;
-    // What lies on the floor lies along the walls; all else may be turned.
-    let own = draft.things.iter().filter(|thing| thing.room == Some(at));
-    let sizes: Vec<([f64; 3], bool)> =
-        own.filter_map(|thing| Some((thing.size?, stand::group(&thing.category) == Group::Flat))).collect();
-    let holds = move |w: f64, d: f64| {
-        sizes.iter().all(|([x, _, z], lies)| w.min(d) >= x.min(*z) && (!lies || w >= *x && d >= *z))
-    };
+    let sizes = footprints(draft, at);
     let rows = draft.rooms[at].rows;
     let mut try_sides = |draft: &mut Draft, now: &mut Furnished, [w, d]: [f64; 2]| {
         let round = |v: f64| (v * 10.0).round() / 10.0;
@@ -147,13 +141,8 @@ fn shrink(
         let size = draft.rooms[at].size;
         let is_long = w.max(d) > LONG * w.min(d) && said == [None; 2];
         let is_narrow = rows[0] > 0.0 && (w < rows[0] + BESIDE_ROWS || d < rows[1] + BESIDE_ROWS);
-        if w * d < least - 1e-9
-            || w.max(d) < longest
-            || !holds(w, d)
-            || is_long
-            || is_narrow
-            || [w, d] == [size[0], size[2]]
-        {
+        let is_short = w.max(d) < longest || !hold(&sizes, [w, d]);
+        if w * d < least - 1e-9 || is_short || is_long || is_narrow || [w, d] == [size[0], size[2]] {
             return false;
         }
         empty.rooms[at].size = [w, size[1], d];
@@ -218,6 +207,18 @@ fn shrink(
         let sides = if k == 0 { [w * SHRINKING, d] } else { [w, d * SHRINKING] };
         done[k] = !try_sides(&mut *draft, &mut now, sides);
     }
+}
+
+/// Width and depth of what is in a room, and whether it lies on the floor.
+fn footprints(draft: &Draft, at: usize) -> Vec<([f64; 2], bool)> {
+    let own = draft.things.iter().filter(|thing| thing.room == Some(at));
+    let lies = |thing: &DraftThing| stand::group(&thing.category) == Group::Flat;
+    own.filter_map(|thing| thing.size.map(|[x, _, z]| ([x, z], lies(thing)))).collect()
+}
+
+/// Whether a room so wide and so deep has room for each of them. What lies on the floor lies along the walls; all else may be turned.
+fn hold(sizes: &[([f64; 2], bool)], [w, d]: [f64; 2]) -> bool {
+    sizes.iter().all(|([x, z], lies)| w.min(d) >= x.min(*z) && (!lies || w >= *x && d >= *z))
 }
 
 /// Whether a thing is there because of another one: a box that is on a pallet.

@@ -63,7 +63,7 @@ fn leads_to(tokens: &mut Vec<Token>, i: usize) -> bool {
     let to = matches!(word(tokens, i + 1), "to" | "into" | "onto") && matches!(word(tokens, i + 2), "a" | "an");
     let door = DOORS.contains(&word(tokens, i.saturating_sub(1)));
     let Some(end) = name(tokens, i + 3).filter(|_| leads && to && door) else { return false };
-    if !HAS.contains(&word(tokens, end)) || !tokens.get(end + 1).is_some_and(|t| t.word() || t.kind != WordKind::Line) {
+    if !HAS.contains(&word(tokens, end)) || tokens.get(end + 1).is_none_or(|t| t.kind == WordKind::Line) {
         return false;
     }
     let like = tokens[end].clone();

@@ -53,12 +53,7 @@ impl Named<'_> {
         }
         match place {
             Place::Wall if opening => {
-                if let Some(text) = self.side(a, which) {
-                    say(text);
-                }
-                if let Some(text) = self.middle_of_wall(a, which) {
-                    say(text);
-                }
+                self.side(a, which).into_iter().chain(self.middle_of_wall(a, which)).for_each(&mut say);
             }
             Place::Wall => {
                 say(self.all(a, |x| match deep {
