@@ -83,7 +83,7 @@ fn human(c: &Comparison) -> String {
         }
         add(&mut out, &table, values.is_empty());
     }
-    let mut table = Table::new(&["constraint", "change", "margin was", "is"]);
+    let mut table = Table::new(&["constraint", "change", "margin before", "margin after"]);
     for row in &c.constraints {
         let Difference { id, text, what, before, after, .. } = row;
         let name = if row.kind.rule().is_some() { id.clone() } else { format!("{id} {}", short(text)) };

@@ -148,7 +148,7 @@ fn scene_of(file: &Path, folder: &Path) -> Option<PathBuf> {
 fn refused(lost: &[&Found]) -> String {
     let mut out = "nothing was written, because an exported scene was edited:\n".to_owned();
     for found in lost {
-        out += &format!("  {} was edited since scenelang wrote it:\n", found.name);
+        out += &format!("  {} has been edited since scenelang wrote it:\n", found.name);
         out.extend(found.words().iter().map(|line| format!("    {}\n", plain::line(line))));
     }
     out + "use --take to continue from the edited scene, --overwrite to discard the edits, or name another folder with -o"

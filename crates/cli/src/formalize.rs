@@ -217,7 +217,7 @@ pub fn understand(
     let overfull = if end == Tried::Overfull { scenelang_formalize::overfull(&reading.draft) } else { None };
     if end == Tried::Spent {
         diagnostics.push(
-            "the trial ended before it found a layout in which everything holds, because its amount of work is limited; \
+            "the trial reached its work limit before it found a layout in which everything holds; \
              `scenelang solve` searches longer and says what is in the way"
                 .to_owned(),
         );
@@ -280,7 +280,7 @@ pub fn notes(reading: &Reading) -> String {
     let mut out = String::new();
     let clauses = if reading.clauses == 1 { "clause" } else { "clauses" };
     let _ = match reading.clauses {
-        0 => writeln!(out, "the request is empty"),
+        0 => writeln!(out, "the request describes no room and no object"),
         n => writeln!(out, "understood {} of {n} {clauses}", reading.understood),
     };
     if !reading.words.is_empty() {

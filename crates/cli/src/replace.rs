@@ -31,7 +31,7 @@ pub fn permit(path: &Path, inputs: &[&Path], force: bool) -> Result<(), String> 
         .map_err(|e| format!("cannot write {}: {e}; use --force to write it anyway", path.display()))?;
     let why = match owned::standing(path).map_err(|e| e.to_string())? {
         Standing::Free | Standing::Ours => return Ok(()),
-        Standing::Edited => "was edited since scenelang wrote it",
+        Standing::Edited => "has been edited since scenelang wrote it",
         Standing::Foreign => "exists already and was not written by scenelang",
     };
     Err(format!(
@@ -201,7 +201,7 @@ fn refused(files: &[(PathBuf, Why)]) -> String {
     let mut out = "nothing was written, because these files must not be overwritten:\n".to_owned();
     for (path, why) in files.iter().take(NAMED) {
         let why = match why {
-            Why::Edited => "was edited since scenelang wrote it",
+            Why::Edited => "has been edited since scenelang wrote it",
             Why::Foreign => "exists already and was not written by scenelang",
             Why::Outside => "is behind a link that leads out of the folder",
         };

@@ -93,7 +93,7 @@ fn still_free(found: &JudgedLayout) -> String {
     let named: Vec<String> = free.objects.iter().take(NAMED).map(ToString::to_string).collect();
     let more = match free.objects.len().saturating_sub(NAMED) {
         _ if named.is_empty() => return String::new(),
-        _ if !free.complete => "; perhaps also others".to_owned(),
+        _ if !free.complete => "; and perhaps others".to_owned(),
         0 => String::new(),
         more => format!("; and {more} more"),
     };
@@ -105,7 +105,8 @@ fn in_the_way(found: &JudgedLayout) -> String {
     let list: Vec<(String, &str)> = named(found).collect();
     let mut out = match list.len() {
         0 => return String::new(),
-        1 => "the layout satisfies all statements except this one, which may not be necessary to remove:\n".to_owned(),
+        1 => "the layout satisfies all statements except this one, although removing it may not be necessary:\n"
+            .to_owned(),
         n => format!("the layout satisfies all statements except these {n}; removing fewer of them may be enough:\n"),
     };
     for (id, text) in list {

@@ -120,7 +120,7 @@ fn human(how: &How<'_>, solved: &Solved, written: &[PathBuf], seconds: &[(Stage,
         print!("{}", report::human(&solved.first.checked, Human { color: color(), all: false }));
     }
     let summary = &report.summary;
-    let mut held = Table::new(&["what", "held", "of"]);
+    let mut held = Table::new(&["kind", "hold", "total"]);
     for (what, tally) in [
         ("assertions", summary.assertions),
         ("preferences", summary.preferences),

@@ -313,7 +313,7 @@ impl Writer<'_> {
         }
         let own = |n: &&Narrowed| Some(n.object.split('[').next().unwrap_or_default()) == name;
         for narrowed in self.draft.narrowed.iter().filter(own) {
-            let reason = format!("it opens less than is useful: {}", narrowed.why(self.draft));
+            let reason = format!("it opens less far than would be useful: {}", narrowed.why(self.draft));
             self.statement(&ThingOrigin::Inferred(reason), narrowed.line());
         }
     }

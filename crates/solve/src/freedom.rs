@@ -53,7 +53,7 @@ impl fmt::Display for Freedom {
                 }
             })
             .collect();
-        what.extend(self.turns.then(|| "to turn".to_owned()));
+        what.extend(self.turns.then(|| "by turning".to_owned()));
         let list = match what.as_slice() {
             [some @ .., last] if !some.is_empty() => format!("{} and {last}", some.join(", ")),
             all => all.join(", "),

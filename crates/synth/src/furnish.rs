@@ -246,7 +246,7 @@ fn message(code: Code, kinds: &[&str]) -> String {
         format!("the library has no model for {list}; {turns}")
     } else {
         let turns = if one { "such an object becomes a cube" } else { "such objects become cubes" };
-        format!("there is no usual size for {list}; {turns} of {DEFAULT_EDGE} m")
+        format!("there is no usual size for {list}; {turns} with an edge length of {DEFAULT_EDGE} m")
     }
 }
 

@@ -12,14 +12,14 @@ pub struct Formats {
     /// All formats, not only the default ones
     #[arg(long, conflicts_with = "only")]
     pub all_formats: bool,
-    /// Give the GLB file rigid bodies: colliders, masses, and joints with limits (the draft extension KHR_physics_rigid_bodies)
+    /// Add rigid bodies to the GLB file: colliders, masses, and joints with limits (the draft extension KHR_physics_rigid_bodies)
     #[arg(long)]
     pub gltf_physics: bool,
-    /// The version of Unity for which the project is written [default: that of the project in the output folder, else
+    /// The version of Unity that the project targets [default: that of the project in the output folder, or
     /// 2022.3]
     #[arg(long, value_enum, value_name = "VERSION")]
     pub unity: Option<UnityVersion>,
-    /// Where the picture is seen from
+    /// The viewpoint of the picture
     #[arg(long, value_enum, value_name = "VIEW", default_value_t = ViewName::Iso)]
     pub view: ViewName,
     /// The size of the picture in pixels: each side from 16 to 4096, at most 8294400 pixels (3840x2160) in all

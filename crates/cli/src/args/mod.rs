@@ -358,7 +358,7 @@ pub struct ModelOptions {
     /// [default: none]
     #[arg(long, value_name = "PROVIDER:NAME")]
     pub model: Option<String>,
-    /// The address of the model, instead of that of its provider
+    /// The URL of the model, instead of the default URL of its provider
     #[arg(long, value_name = "URL")]
     pub base_url: Option<String>,
     /// The maximum number of requests to the model [default: 100]
@@ -402,10 +402,10 @@ pub struct Formalize {
     /// Add nothing that is not in the request
     #[arg(long)]
     pub literal: bool,
-    /// Do not try to furnish the room; faster, but the program may ask for more than fits
+    /// Do not check whether a layout exists; faster, but the program may ask for more than fits
     #[arg(long)]
     pub untried: bool,
-    /// The time limit for everything, including the check whether a layout exists
+    /// The time limit for everything, including checking whether a layout exists
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// Show how each clause of the request was understood
@@ -440,7 +440,7 @@ pub struct Synth {
     /// The random seed; the same seed gives the same scene
     #[arg(long, default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
-    /// The time limit for the layout, and for reading a request before it; the result then depends on the speed of the machine
+    /// The time limit for reading the request and finding a layout; the result then depends on the speed of the machine
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// The effort of the search, and its threads
@@ -461,7 +461,7 @@ pub struct Synth {
     /// Stop after this stage
     #[arg(long, value_name = "STAGE", value_enum, default_value_t = StageName::Export, hide_default_value = true)]
     pub until: StageName,
-    /// Print for each stage and object what is rebuilt, and why
+    /// Print what is rebuilt for each stage and object, and why
     #[arg(long)]
     pub explain_rebuild: bool,
     /// The language model
@@ -494,7 +494,7 @@ pub struct View {
     /// The local port [default: any free port]
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub port: u16,
-    /// Do not open a browser, only print the address
+    /// Print the address without opening a browser
     #[arg(long)]
     pub no_open: bool,
     /// Select the object that each line of standard input names, and stop at its end: how the language server shows a room

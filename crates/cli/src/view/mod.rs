@@ -37,7 +37,7 @@ pub fn run(args: &View) -> u8 {
         }
     };
     println!("{address}");
-    eprintln!("the page can be opened only with this address, on this machine; press Ctrl-C to stop");
+    eprintln!("the page can be opened only on this machine and only with this address; press Ctrl-C to stop");
     if !args.no_open {
         open(&address);
     }

@@ -36,7 +36,7 @@ pub fn compose(brief: &Brief) -> Draft {
             if item.size.iter().any(Option::is_some) {
                 draft.notes.push(Note {
                     at: item.source.at(),
-                    reason: "it is larger than its room, so it is made as large as fits".into(),
+                    reason: "it is larger than its room, so it is reduced to the largest size that fits".into(),
                 });
             }
         }
@@ -77,7 +77,7 @@ pub fn compose(brief: &Brief) -> Draft {
     draft.notes.extend(limited(brief, &draft));
     for (name, at) in &brief.absent {
         if brief.things.iter().any(|i| i.name() == *name) {
-            draft.notes.push(Note { at: at.clone(), reason: format!("{name} is requested elsewhere") });
+            draft.notes.push(Note { at: at.clone(), reason: format!("\"{name}\" is requested elsewhere") });
         }
     }
     draft
@@ -261,7 +261,7 @@ fn windows(named: &state::Named, draft: &mut Draft, out: &mut state::Stated) {
                 }
                 out.infer(
                     format!("assert {name}.bottom = {};", crate::write::number(sill)),
-                    "the window starts above what stands under it",
+                    "the window sill is above the objects under the window",
                 );
             }
         }

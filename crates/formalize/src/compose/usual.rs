@@ -105,7 +105,10 @@ impl<'n, 'b> It<'n, 'b> {
                 out.infer(self.mounted("wallMounted"), &format!("a {name} hangs on a wall"));
             }
             Group::Screen if !self.held && !self.on_wall => {
-                out.infer(self.mounted("wallMounted"), &format!("a {name} that stands on nothing hangs on a wall"));
+                out.infer(
+                    self.mounted("wallMounted"),
+                    &format!("a {name} that does not stand on anything hangs on a wall"),
+                );
             }
             Group::Ceiling if self.hangs() => {
                 out.infer(self.mounted("ceilingMounted"), &format!("a {name} hangs from the ceiling"));
@@ -182,13 +185,13 @@ impl<'n, 'b> It<'n, 'b> {
             let FactKind::Rel(rel @ (Rel::Beside | Rel::Opposite | Rel::Behind), to) = &fact.what else { continue };
             let [b] = to[..] else { continue };
             if let (Rel::Beside, Some(sides)) = (rel, named.both_sides(self.a, b)) {
-                out.infer(format!("prefer {sides};"), "a pair stands on both sides");
+                out.infer(format!("prefer {sides};"), "the objects of a pair stand on opposite sides");
             } else if *rel == Rel::Opposite {
                 let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, 4)"));
                 out.infer(format!("prefer {near};"), "an object across from another faces it");
             } else if *rel == Rel::Behind && self.item.group != Group::Seat && !named.brief.things[b].opening() {
                 let near = named.pairs(self.a, b, &|x, y| format!("near({x}, {y}, {})", number(BEHIND)));
-                out.infer(format!("prefer {near};"), "what is behind an object is near it");
+                out.infer(format!("prefer {near};"), "an object behind another one is near it");
             }
         }
     }
@@ -209,7 +212,7 @@ impl<'n, 'b> It<'n, 'b> {
             if wall && !self.measured {
                 out.infer(
                     self.mounted("wallMounted"),
-                    "an object above another with nothing under it hangs on the wall",
+                    "an object that is above another one and has nothing under it hangs on the wall",
                 );
             } else {
                 out.infer(self.floating(), "it hangs above something");
@@ -240,7 +243,7 @@ impl<'n, 'b> It<'n, 'b> {
                 _ => false,
             });
         if (low || self.apart) && !raised && !(self.above && self.lamp) {
-            out.infer(self.mounted("onFloor"), "an object that nothing carries stands on the floor");
+            out.infer(self.mounted("onFloor"), "an object that does not rest on another object stands on the floor");
         }
     }
 

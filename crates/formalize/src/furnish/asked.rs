@@ -626,7 +626,7 @@ fn keep_there(plan: &mut Plan, thing: usize, like: &Like, received: bool) {
         plan.say(format!("prefer {there};"), USUAL);
     }
     if received && !plan.is_placed(thing) {
-        plan.say(format!("assert {there};"), "who works there has the visitors before the eyes");
+        plan.say(format!("assert {there};"), "the person who works there faces the visitors");
     }
 }
 

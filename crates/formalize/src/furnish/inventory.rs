@@ -54,7 +54,7 @@ pub(super) const TEAM: usize = 2;
 
 /// How the reason begins why something of the inventory of a kind of room is there.
 pub(super) fn listed(kind: &FurnishingKind) -> String {
-    format!("{} has ", with_article(kind.name))
+    format!("{} usually has ", with_article(kind.name))
 }
 
 /// Whether the one thing of a line, which stands on the floor, is there already with another: a bin beside the desk.

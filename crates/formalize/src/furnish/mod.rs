@@ -79,6 +79,10 @@ pub fn measure(brief: &mut Brief) {
             brief.rooms[at].usual = Some([sides[0], h, sides[1]]);
             continue;
         }
+        if let Some([w, d]) = number::narrow(brief, at, area) {
+            brief.rooms[at].usual = Some([w, h, d]);
+            continue;
+        }
         let by = (area / (w * d)).sqrt();
         // Who looks at a screen across the room is not too far from it.
         let watched = kind.lines.iter().any(|line| matches!(line.place, kinds::PlanPlace::Opposite(_)));

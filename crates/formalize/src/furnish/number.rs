@@ -20,6 +20,20 @@ const LARGE: [&str; 9] = ["large", "big", "spacious", "huge", "grand", "roomy", 
 /// How far before its name a room's adjectives are, in bytes.
 const BEFORE: usize = 40;
 
+/// How many times as long as wide a room is that is said to be narrow.
+const NARROW: f64 = 2.2;
+
+/// The sides of a room of so many square metres, if it is said to be narrow.
+pub fn narrow(brief: &Brief, room: usize, area: f64) -> Option<[f64; 2]> {
+    const LEAST: f64 = 2.2;
+    let room = &brief.rooms[room];
+    let at = room.source.at();
+    let named = brief.request.get(..at.end)?.rsplit(['.', ',', ';', ':', '!', '\n']).next()?.to_lowercase();
+    let is_said = named.split(|c: char| !c.is_alphabetic()).any(|word| word == "narrow");
+    let across = (area / NARROW).sqrt().max(LEAST);
+    (is_said && room.size == [None; 3]).then_some([area / across, across])
+}
+
 /// How large a room is said to be: by a word of its phrase, or before it in the same clause.
 pub fn scale(brief: &Brief, room: usize) -> Scale {
     let at = brief.rooms[room].source.at();

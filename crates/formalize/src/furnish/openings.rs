@@ -128,7 +128,7 @@ pub fn doors(draft: &mut Draft, room: usize) {
             if door.category.is_some() && beyond.is_none() && matches!(door.source, ThingOrigin::Inferred(_)) {
                 let there = place::absolute(&door.name, &draft.rooms[room].name, [pose.x, pose.y, pose.z], pose.yaw);
                 let text = format!("prefer {there};");
-                let why = ThingOrigin::Inferred("what it leads to is on this side".into());
+                let why = ThingOrigin::Inferred("the place it leads to is on this side".into());
                 draft.statements.push(Statement::new(&text, why));
             }
             let pose = in_scene(draft, room, &pose);

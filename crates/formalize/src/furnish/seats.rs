@@ -2,12 +2,13 @@
 
 use super::claim::{line, sit_at};
 use super::groups;
-use super::kinds::{self, seats_all};
+use super::kinds::{self, Count, seats_all};
 use super::stand::counts_as;
 use crate::brief::{Brief, Group, Thing};
 
 /// A room in which all seats belong to its tables is for as many people as there are seats, if nothing else is said.
 pub fn people(brief: &mut Brief) {
+    let mut gone = Vec::new();
     for at in 0..brief.rooms.len() {
         if brief.rooms[at].people.is_some() || brief.rooms[at].only {
             continue;
@@ -37,9 +38,17 @@ pub fn people(brief: &mut Brief) {
         let of_its_own = !related && thing.part.is_none();
         let at_line = line(kind, &thing.name(), n, &said).is_some_and(|line| sit_at(line, kind.dress));
         let more = n as f64 > kind.people && here.iter().any(|i| sits_around(&brief.things[*i].name(), kind.dress));
-        if of_its_own && at_line || more {
+        // "A classroom with 24 seats": its desks have them.
+        let by_people = kind.lines.iter().any(|line| matches!(line.count, Count::People(_)));
+        if of_its_own && !at_line && by_people && thing.words == ["seat"] {
+            brief.rooms[at].people = Some(n);
+            gone.push(seat);
+        } else if of_its_own && at_line || more {
             brief.rooms[at].people = Some(n);
         }
+    }
+    if !gone.is_empty() {
+        brief.remove(&gone);
     }
 }
 

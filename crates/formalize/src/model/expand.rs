@@ -82,7 +82,7 @@ fn sentences(request: &str, answer: &ExpandAnswer) -> Sentences {
             (None, Some((theirs, at))) if shared(theirs) > 0 => out.state(folded(text), at.clone()),
             _ if added < MOST => {
                 added += 1;
-                out.add(plain(text, 400), reason.as_deref().unwrap_or("the model adds it"));
+                out.add(plain(text, 400), reason.as_deref().unwrap_or("added by the model"));
             }
             _ => {}
         }

@@ -53,5 +53,5 @@ impl Sentences {
 
 fn inferred(reason: Option<&str>) -> ThingOrigin {
     let reason = plain(reason.unwrap_or(""), 200);
-    ThingOrigin::Inferred(if reason.is_empty() { "the model adds it".into() } else { reason })
+    ThingOrigin::Inferred(if reason.is_empty() { "added by the model".into() } else { reason })
 }

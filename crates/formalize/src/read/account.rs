@@ -20,7 +20,7 @@ pub struct Account {
 pub const BECAME_NOTHING: &str = "this word was not used";
 const BECAME_NOTHING_MANY: &str = "these words were not used";
 /// Why there is a note on whom or what something is for.
-pub const PURPOSE: &str = "this says what it is for or for whom, and no statement needs that";
+pub const PURPOSE: &str = "this says what or whom it is for, which no statement needs to express";
 
 /// Accounts for the words. `used`: which tokens became part of the brief. `grammar`: which belong to verbs and the like
 /// and say nothing of their own. `noted`: what the reader has reported.
@@ -45,7 +45,7 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
         if !understood && own.iter().all(|i| !used[*i]) {
             // The reader may have said already why.
             if !told(&[], &at) {
-                out.notes.push(Note { at, reason: "nothing was understood here".into() });
+                out.notes.push(Note { at, reason: "this was not understood".into() });
             }
             continue;
         }
@@ -54,7 +54,7 @@ pub fn account(tokens: &[Token], used: &[bool], grammar: &[bool], noted: &[Note]
             let at = tokens[i].at.clone();
             let reason = match tokens[i].kind {
                 WordKind::Number(_) => "no statement uses this number",
-                _ if turns(tokens, i) => "this changes the request, and no statement expresses it",
+                _ if turns(tokens, i) => "this changes the meaning of the request, but no statement can express it",
                 _ => continue,
             };
             if !told(&out.notes[first..], &at) {

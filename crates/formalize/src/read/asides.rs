@@ -9,7 +9,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 23] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 28] = [
         ones,
         biggest,
         racks,
@@ -33,6 +33,11 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         for_people,
         stack,
         all_over,
+        to_ceiling,
+        mid_room,
+        for_instance,
+        long_side,
+        narrow_bed,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -459,6 +464,71 @@ fn all_over(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Shelves up to the ceiling": floor-to-ceiling shelves.
+fn to_ceiling(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some(name) = noun(tokens, i) else { return false };
+    let reach = usize::from(matches!(word(tokens, name.end), "that" | "which"));
+    let reach = reach
+        + usize::from(matches!(word(tokens, name.end + reach), "reach" | "reaches" | "reaching" | "going" | "go"));
+    let to = name.end + reach + usize::from(matches!(word(tokens, name.end + reach), "right" | "all"));
+    let up = matches!(word(tokens, to), "up") && word(tokens, to + 1) == "to" || reach > 0 && word(tokens, to) == "to";
+    let ceiling = to + if word(tokens, to) == "up" { 2 } else { 1 };
+    if !up || word(tokens, ceiling) != "the" || word(tokens, ceiling + 1) != "ceiling" {
+        return false;
+    }
+    let look = tokens[ceiling].saying("floor-to-ceiling");
+    tokens.drain(name.end..ceiling + 2);
+    tokens.insert(name.start, look);
+    true
+}
+
+/// "A cart mid-aisle": in the middle of the room.
+fn mid_room(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if i == 0 || !matches!(word(tokens, i), "mid-aisle" | "mid-room" | "mid-floor" | "midroom") {
+        return false;
+    }
+    put(tokens, i, i + 1, &["in", "the", "middle", "of", "the", "room"]);
+    true
+}
+
+/// "Some clutter is welcome, for instance a suitcase": a suitcase.
+fn for_instance(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let example = matches!(
+        [word(tokens, i), word(tokens, i + 1)],
+        ["for", "instance" | "example"] | ["such", "as"] | ["say", "a" | "an" | "some"]
+    );
+    let comma = i > 0 && tokens[i - 1].is(",");
+    let general =
+        (i.saturating_sub(8)..i).find(|k| matches!(word(tokens, *k), "clutter" | "mess" | "props" | "untidiness"));
+    let Some(at) = general.filter(|_| example && comma) else { return false };
+    let begins = (0..at).rev().find(|k| !tokens[*k].word()).map_or(0, |k| k + 1);
+    let end = if word(tokens, i) == "say" { i + 1 } else { i + 2 };
+    put(tokens, begins, end, &["there", "are"]);
+    true
+}
+
+/// "Windows along one long side": along one long wall.
+fn long_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let at = matches!(word(tokens, i), "along" | "on" | "at" | "down");
+    let one = matches!(word(tokens, i + 1), "one" | "the" | "a" | "each");
+    let long = matches!(word(tokens, i + 2), "long" | "longer" | "short" | "shorter");
+    if !at || !one || !long || word(tokens, i + 3) != "side" || !ends(tokens, i + 4) {
+        return false;
+    }
+    put(tokens, i + 3, i + 4, &["wall"]);
+    true
+}
+
+/// "A narrow bed": for one.
+fn narrow_bed(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let is_bed = matches!(word(tokens, i + 1), "bed" | "beds");
+    if !matches!(word(tokens, i), "narrow" | "straw" | "camp") || !is_bed {
+        return false;
+    }
+    put(tokens, i, i + 1, &["single"]);
+    true
+}
+
 /// The noun after "the" that begins here.
 fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
     noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
@@ -509,6 +579,15 @@ mod tests {
             ("a plant in one of the corners", "a plant in a corner"),
             ("an office for twelve people, desks in pairs", "an office for twelve people , twelve desks in pairs"),
             ("a barrel stack and a stack of crates by the door", "three barrels and three crates by the door"),
+            ("drying shelves up to the ceiling.", "floor-to-ceiling drying shelves ."),
+            ("a bookcase that reaches to the ceiling", "a floor-to-ceiling bookcase"),
+            ("one cart mid-aisle", "one cart in the middle of the room"),
+            (
+                "some clutter is welcome, for instance an open suitcase and a towel on the floor.",
+                "there are an open suitcase and a towel on the floor .",
+            ),
+            ("windows along one long side.", "windows along one long wall ."),
+            ("a narrow bed, straw beds", "a single bed , single beds"),
             ("a messy bedroom, clothes all over the floor", "a messy bedroom , six shirts on the floor"),
             ("books scattered all over the place.", "six books on the floor ."),
             ("a lamp over the floor", "a lamp over the floor"),

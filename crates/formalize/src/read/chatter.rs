@@ -120,7 +120,7 @@ pub fn beside_the_point(tokens: &mut Vec<Token>) -> Vec<Note> {
         let end = tokens[from..].iter().position(Token::stops).map_or(tokens.len(), |n| from + n);
         if from < end && is_beside(&tokens[from..end]) {
             let at = tokens[from].at.start..tokens[end - 1].at.end;
-            notes.push(Note { at, reason: "this says nothing of what is in the room".to_owned() });
+            notes.push(Note { at, reason: "this says nothing about what is in the room".to_owned() });
             tokens.drain(from..(end + 1).min(tokens.len()));
         } else {
             from = end + 1;

@@ -42,7 +42,7 @@ pub fn odd(tokens: &[Token]) -> Vec<(Range<usize>, String)> {
             let minus = matches!(sign.kind, WordKind::Sign('-' | '−' | '—')) && sign.at.end == token.at.start && alone;
             if minus || sign.is("minus") {
                 let at = sign.at.start..token.at.end;
-                out.push((at, format!("counts and sizes are not negative: this is read as {n}")));
+                out.push((at, format!("counts and sizes cannot be negative: this is read as {n}")));
             }
         }
         let word = |k: usize| tokens.get(k).map_or("", |t| t.text.as_str());

@@ -22,7 +22,9 @@ mod chatter;
 mod chunk;
 mod clause;
 mod compass;
+mod compounds;
 mod contents;
+mod converted;
 mod counts;
 mod denied;
 mod desks;
@@ -58,6 +60,7 @@ mod sight;
 mod slips;
 mod spelling;
 mod style;
+mod suites;
 mod taken_back;
 mod talk;
 mod token;
@@ -139,6 +142,8 @@ pub fn brief(request: &str) -> Brief {
     finishes::plain(&mut tokens);
     talk::asking(&mut tokens);
     buildings::plain(&mut tokens);
+    converted::plain(&mut tokens);
+    suites::plain(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);
     let mut answers = talk::turns(&mut tokens);
@@ -200,7 +205,10 @@ pub fn brief(request: &str) -> Brief {
     }
     let Account { clauses, words, mut notes } = account::account(&tokens, &used, &grammar, &brief.notes);
     if end < request.len() {
-        notes.push(Note { at: end..request.len(), reason: "the request is longer than the part that is read".into() });
+        notes.push(Note {
+            at: end..request.len(),
+            reason: "the request is too long, and this part was not read".into(),
+        });
     }
     notes.extend(answers);
     notes.extend(places.into_iter().map(|(at, reason)| Note { at, reason }));

@@ -41,8 +41,8 @@ const PLACES: [&str; 16] = [
 ];
 
 /// What is said of what is left out.
-const PLACE: &str = "where a room is among the others is not read; doors connect them";
-const AROUND: &str = "what the room is a part of is not read";
+const PLACE: &str = "the position of a room among the others is ignored; doors connect the rooms";
+const AROUND: &str = "what the room is part of is ignored";
 
 /// Turns what is said so; what is left out, by its bytes.
 pub fn plain(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {

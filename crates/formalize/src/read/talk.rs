@@ -232,7 +232,7 @@ pub fn turns(tokens: &mut Vec<Token>) -> Vec<Note> {
             let Some(before) = from.checked_sub(1) else { continue };
             at = first.at.start..said[before].at.end;
         } else if taken {
-            reason = "it is not clear what is agreed to here";
+            reason = "it is not clear what the answer agrees to";
         }
         notes.push(Note { at, reason: reason.to_owned() });
     }

@@ -123,6 +123,15 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
                 at += all;
                 continue;
             }
+            // "the 1930s", "the 14th century": when, and no number of anything.
+            let decade = lower == "s" && (1000.0..2100.0).contains(&value) && value % 10.0 == 0.0;
+            if decade || ["th", "st", "nd", "rd"].contains(&lower.as_str()) {
+                let all = len + letters.len();
+                let text = rest[..all].to_lowercase();
+                out.push(Token { kind: WordKind::Word, text, at: at..at + all, owner: false, capital: false });
+                at += all;
+                continue;
+            }
             let unit = super::number::unit(&lower).is_some() || lower.starts_with('x') || lower.starts_with("sq");
             if letters.is_empty() || unit || letters.len() > 2 || letters.chars().any(char::is_lowercase) {
                 (len, Some((WordKind::Number(value), rest[..len].to_owned(), false)))

@@ -64,7 +64,7 @@ fn colors(facts: &Facts<'_>, out: &mut Vec<Diagnostic>) {
         let (what, note) = if is_color(&text.property) {
             (
                 "color",
-                "an unknown color has no effect; colors have names (`navy`, `light oak`) or are written `#336699`",
+                "an unknown color has no effect; a color is a name (`navy`, `light oak`) or a hexadecimal value (`#336699`)",
             )
         } else if is_material(&text.property) {
             ("material", "an unknown material has no effect on how an object looks")

@@ -486,7 +486,7 @@ impl<'a> Lowerer<'a, '_> {
         if !self.exhausted {
             self.exhausted = true;
             self.out.push(
-                Diagnostic::new(codes::E0005, span, "the program becomes too large to check when it is expanded here")
+                Diagnostic::new(codes::E0005, span, "the program becomes too large to check when this is expanded")
                     .note(format!("the limit is {MAX_NODES} parts; quantify over smaller sets, or split the scene")),
             );
         }

@@ -93,7 +93,7 @@ pub fn move_in_words(program: &Program, repair: &SmallestMove) -> String {
     }
     let sentence = |(text, along, step): &(String, Vec<&str>, &ObjectMove)| {
         let moved = text.replacen("{}", &format!("`{}`", name(program, step.object)), 1);
-        if along.is_empty() { moved } else { format!("{moved}, and with it `{}`", along.join("`, `")) }
+        if along.is_empty() { moved } else { format!("{moved}, together with `{}`", along.join("`, `")) }
     };
     parts.iter().map(sentence).collect::<Vec<_>>().join("; ")
 }

@@ -9,7 +9,7 @@ use crate::furnish::kinds;
 use crate::write::number;
 
 /// So many form a circle by themselves, with this much between two of them and at least this radius (metres).
-const RING: std::ops::RangeInclusive<usize> = 3..=12;
+const RING: std::ops::RangeInclusive<usize> = 3..=30;
 const IN_RING: f64 = 0.3;
 const RADIUS: f64 = 1.0;
 /// What stands in a group, and has no place of its own in it, is so near to the first (metres).

@@ -261,7 +261,7 @@ impl Reader<'_> {
             let soft = self.soft();
             return self.state(of, FactKind::Place(rel, place, Vec::new()), soft, true);
         }
-        let reason = "no statement says that something is not in this place".to_owned();
+        let reason = "no statement can say that something is not in this place".to_owned();
         self.brief.notes.push(Note { at: self.bytes(chunks.clone()), reason });
         for at in chunks.filter_map(|k| self.chunks.get(k)).map(|c| c.at.clone()) {
             self.used[at].fill(false);
