@@ -48,6 +48,26 @@ pub fn nearest(words: &str) -> Option<String> {
     Some(known(&format!("{shade}{base}")).unwrap_or(base))
 }
 
+/// Colours that people call by another's name, first that name.
+const FAMILIES: [(&str, &str); 10] = [
+    ("blue", "navy denim cobalt sapphire midnight indigo cerulean petrol azure teal turquoise cyan aqua"),
+    ("green", "sage olive emerald jade moss mint forest fern pistachio lime teal grass chartreuse"),
+    ("red", "burgundy crimson maroon ruby scarlet bordeaux oxblood brick tomato russet"),
+    ("pink", "blush rose salmon fuchsia magenta peach"),
+    ("yellow", "mustard gold ochre ocher lemon amber honey"),
+    ("orange", "terracotta rust coral apricot peach copper"),
+    ("purple", "violet mauve lilac lavender plum aubergine eggplant orchid magenta indigo"),
+    ("brown", "chocolate coffee umber sienna chestnut mocha caramel saddle"),
+    ("gray", "charcoal slate anthracite graphite silver platinum"),
+    ("black", "ebony charcoal anthracite"),
+];
+
+/// Whether a colour is a shade of another: navy is of blue.
+pub fn is_shade(color: &str, of: &str) -> bool {
+    let others = FAMILIES.iter().find(|(name, _)| *name == of).map_or("", |(_, others)| others);
+    color.contains(of) || others.split(' ').any(|other| !other.is_empty() && color.contains(other))
+}
+
 #[cfg(test)]
 mod tests {
     use super::{known, nearest};

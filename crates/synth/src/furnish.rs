@@ -383,7 +383,11 @@ mod tests {
         all(
             [
                 ("W0601 the library has no model for \"gizmo\"; such an object becomes a labelled box", "", asset),
-                ("W0602 there is no usual size for \"gizmo\"; such an object becomes a cube of 0.5 m", "", size),
+                (
+                    "W0602 there is no usual size for \"gizmo\"; such an object becomes a cube with an edge length of 0.5 m",
+                    "",
+                    size,
+                ),
             ],
             &["gizmo", "chair", "gizmo"],
         );

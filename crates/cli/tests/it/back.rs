@@ -134,7 +134,7 @@ fn nothing_is_written_over_an_edited_scene() {
             let edited = room.files();
             assert_ne!(made, edited);
             let ended = room.run(&command, &[], 2);
-            for part in ["was edited since scenelang wrote it", "`bed` was moved by", "--take", "--overwrite"] {
+            for part in ["has been edited since scenelang wrote it", "`bed` was moved by", "--take", "--overwrite"] {
                 assert!(ended.stderr.contains(part), "{part}: {ended:?}");
             }
             assert!(room.files() == edited, "{command:?} {carrier}");
@@ -333,7 +333,7 @@ fn what_is_not_written_over_is_in_nobodys_way() {
     room.put("glb", "bed", PUT);
     for more in ["--take", "--overwrite"] {
         let ended = room.run(&SYNTH, &[more], 2);
-        assert!(ended.stderr.contains("report.json was edited since scenelang wrote it"), "{ended:?}");
+        assert!(ended.stderr.contains("report.json has been edited since scenelang wrote it"), "{ended:?}");
     }
 }
 

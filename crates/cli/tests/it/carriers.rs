@@ -147,7 +147,7 @@ fn a_scene_is_judged_as_it_stands_now() {
     // What was moved there is somebody's work, so the file is not replaced.
     let again = scenelang(folder.path(), ["synth", "bedroom.scene", "-o", "out"]);
     assert_eq!(again.code, 2, "{}", again.stdout);
-    assert!(again.stderr.contains("bedroom.glb was edited since scenelang wrote it"), "{}", again.stderr);
+    assert!(again.stderr.contains("bedroom.glb has been edited since scenelang wrote it"), "{}", again.stderr);
 }
 
 #[test]

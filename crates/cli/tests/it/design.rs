@@ -118,8 +118,7 @@ fn what_does_not_hold_is_listed_with_its_thing_and_the_reason() {
     let room = folder(ROOM, &layout);
     let said = scenelang(room.path(), ["check", "room.layout.json"]);
     assert_eq!(said.code, 0, "a guideline makes no layout wrong: {}", said.stdout);
-    let line =
-        "  `backsToWalls` does not hold for `wardrobe`: Beds, cupboards and machines have their back at a wall (6 cm)";
+    let line = "  `backsToWalls` does not hold for `wardrobe`: Beds, cupboards and machines have their backs within 6 cm of a wall";
     assert!(said.stdout.contains("Guidelines that do not hold:\n"), "{}", said.stdout);
     assert!(said.stdout.contains(line), "{}", said.stdout);
     let report = report(room.path());

@@ -78,13 +78,13 @@ fn people_read_what_moved_and_what_that_did() {
       ────────  ───  ────
       space     1.0  1.25
 
-      constraint                                        change          margin was  is
-      ────────────────────────────────────────────────  ──────────────  ──────────  ────────
-      room.scene:6:1 lamp.pos.y >= desk.top - 0.01      ceases to hold     0.010 m  -0.140 m
-      room.scene:7:1 desk.pos.x - plant.pos.x >= space  margin shrinks     0.500 m   0.250 m
-      P-COLLIDE:desk:lamp                               ceases to hold  –           -0.149 m
-      P-BOUNDS:plant                                    ceases to hold  –           -0.647 m
-      P-SUPPORT:lamp                                    ceases to hold  –           -0.145 m
+      constraint                                        change          margin before  margin after
+      ────────────────────────────────────────────────  ──────────────  ─────────────  ────────────
+      room.scene:6:1 lamp.pos.y >= desk.top - 0.01      ceases to hold        0.010 m      -0.140 m
+      room.scene:7:1 desk.pos.x - plant.pos.x >= space  margin shrinks        0.500 m       0.250 m
+      P-COLLIDE:desk:lamp                               ceases to hold  –                  -0.149 m
+      P-BOUNDS:plant                                    ceases to hold  –                  -0.647 m
+      P-SUPPORT:lamp                                    ceases to hold  –                  -0.145 m
 
     before.layout.json → after.layout.json: they differ
     "##);

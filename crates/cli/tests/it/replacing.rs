@@ -96,7 +96,7 @@ fn what_scenelang_wrote_is_replaced_until_it_is_edited() {
         fs::write(&path, &edited).unwrap();
         let ended = scenelang(folder.path(), args);
         refuses(&ended, file);
-        assert!(ended.stderr.contains("was edited since scenelang wrote it"), "{args:?} {ended:?}");
+        assert!(ended.stderr.contains("has been edited since scenelang wrote it"), "{args:?} {ended:?}");
         assert_eq!(fs::read_to_string(&path).unwrap(), edited, "{args:?}");
         let ended = scenelang(folder.path(), forced(args));
         assert!(ended.code <= 1, "{args:?} {ended:?}");

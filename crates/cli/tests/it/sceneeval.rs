@@ -50,7 +50,7 @@ fn programs_and_layouts_are_made_and_scored() {
     // What somebody has edited is not replaced.
     fs::write(folder.path().join("out/1.scene"), before[2].clone() + "object plant;\n").unwrap();
     let ended = eval(folder.path(), &[]);
-    assert!(ended.code == 2 && ended.stderr.contains("1.scene was edited"), "{}", ended.stderr);
+    assert!(ended.code == 2 && ended.stderr.contains("1.scene has been edited"), "{}", ended.stderr);
 }
 
 /// A model's answer counts instead of the table: here it takes a lamp for a desk.

@@ -67,7 +67,7 @@ fn what_is_in_the_way_is_named_in_words() {
     fs::write(folder.path().join("room.scene"), &scene).unwrap();
     let ended = scenelang(folder.path(), ["solve", "room.scene"]);
     assert_eq!(ended.code, 1, "{}", ended.stderr);
-    let said = "the layout satisfies all statements except this one, which may not be necessary to remove:\n  \
+    let said = "the layout satisfies all statements except this one, although removing it may not be necessary:\n  \
                 room.scene:7:1: forall a in lamp: forall b in lamp: a != b implies distance(a, b) = 2\n";
     assert!(
         ended.stdout.contains("after the search budget was used up (increase it with --effort)\n"),

@@ -642,6 +642,7 @@ fn named(brief: &mut Brief) {
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
     fill(draft, brief);
     paint(draft, brief);
+    palette::spare(draft, brief);
 }
 
 fn fill(draft: &mut Draft, brief: &Brief) {

@@ -3,7 +3,7 @@
 use super::kinds;
 use super::taste::is_colored;
 use crate::brief::Brief;
-use crate::colors::known;
+use crate::colors::{is_shade, known};
 use crate::draft::{Draft, Look, ThingOrigin};
 
 /// Colours that walls may have without making a room dark.
@@ -26,6 +26,38 @@ const LIGHT: [&str; 17] = [
     "champagne",
     "vanilla",
 ];
+
+/// Gives what was added another colour where the request rules its own out: "no blue".
+pub fn spare(draft: &mut Draft, brief: &Brief) {
+    /// What any room may have.
+    const PLAIN: [&str; 4] = ["beige", "sage", "terracotta", "lightgray"];
+    let ruled_out: Vec<&str> =
+        brief.absent.iter().map(|(name, _)| name.as_str()).filter(|name| known(name).is_some()).collect();
+    let is_out = |color: &str| ruled_out.iter().any(|out| is_shade(color, out));
+    if ruled_out.is_empty() {
+        return;
+    }
+    for room in &mut draft.rooms {
+        let usual = kinds::of(&room.kind).map_or(&[][..], |kind| &kind.colors[..]);
+        let others: Vec<&str> = usual.iter().chain(&PLAIN).copied().filter(|color| !is_out(color)).collect();
+        let Some(first) = others.first() else { continue };
+        for look in [&mut room.walls, &mut room.floor] {
+            if look.color.as_deref().is_some_and(is_out) {
+                look.color = Some(if LIGHT.contains(first) { (*first).to_owned() } else { "offwhite".to_owned() });
+            }
+        }
+    }
+    let kinds: Vec<String> = draft.rooms.iter().map(|room| room.kind.clone()).collect();
+    for (turn, thing) in draft.things.iter_mut().enumerate() {
+        let added = matches!(thing.source, ThingOrigin::Inferred(_));
+        if !added || !thing.look.color.as_deref().is_some_and(is_out) {
+            continue;
+        }
+        let usual = thing.room.and_then(|at| kinds::of(&kinds[at])).map_or(&[][..], |kind| &kind.colors[..]);
+        let others: Vec<&str> = usual.iter().chain(&PLAIN).copied().filter(|color| !is_out(color)).collect();
+        thing.look.color = others.get(turn % others.len().max(1)).map(|color| (*color).to_owned());
+    }
+}
 
 /// Paints the rooms of a furnished draft. What has a colour that was asked for keeps it.
 pub fn paint(draft: &mut Draft, brief: &Brief) {

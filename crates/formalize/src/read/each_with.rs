@@ -23,6 +23,7 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || on_each(tokens, i)
         || with_at_walls(tokens, i)
         || with_several(tokens, i)
+        || shared(tokens, i)
     {
         return true;
     }
@@ -96,6 +97,36 @@ fn with_several(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     goes_on(tokens, comma, and);
     true
+}
+
+/// "Twin beds with one shared nightstand, a desk and a lamp": the nightstand is between the beds, and the room has the rest once.
+fn shared(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let host = i > 0 && word(tokens, i) == "with" && plural(word(tokens, i - 1));
+    if !host || !matches!(word(tokens, i + 1), "a" | "an" | "one") {
+        return false;
+    }
+    let is_shared = matches!(word(tokens, i + 2), "shared" | "common" | "single");
+    let Some(own) = noun(tokens, i + 2 + usize::from(is_shared)) else { return false };
+    let between = word(tokens, own.end) == "between" && matches!(word(tokens, own.end + 1), "them" | "the");
+    if word(tokens, i + 2) == "single" && between || !(is_shared || between) {
+        return false;
+    }
+    let mut end = own.end;
+    if between {
+        end += if word(tokens, end + 1) == "the" { 3 } else { 2 };
+    } else {
+        let like = tokens[i + 2].clone();
+        tokens.splice(end..end, ["between", "them"].map(|text| like.saying(text)));
+        tokens.remove(i + 2);
+        end += 1;
+    }
+    let comma = tokens.get(end).is_some_and(|t| t.is(","));
+    let and = usize::from(comma && matches!(word(tokens, end + 1), "and" | "plus"));
+    if comma && item(tokens, end + 1 + and) {
+        goes_on(tokens, end, and);
+        return true;
+    }
+    is_shared
 }
 
 /// Whether a thing stands on the floor by itself, and is no seat that belongs to what was named before.
@@ -194,6 +225,14 @@ mod tests {
     #[test]
     fn what_each_has_ends_where_its_list_ends() {
         for (said, becomes) in [
+            (
+                "twin beds with one shared nightstand, a desk with a lamp, and a chair.",
+                "twin beds with one nightstand between them . there is a desk with a lamp , and a chair .",
+            ),
+            (
+                "two beds with a nightstand between them, a desk and a chair.",
+                "two beds with a nightstand between them . there is a desk and a chair .",
+            ),
             (
                 "four stations, each with a mirror and a chair, two wash basins at the back and a small desk.",
                 "four stations , each with a mirror and a chair . there are two wash basins at the back and a small desk .",

@@ -64,8 +64,10 @@ mod suites;
 mod taken_back;
 mod talk;
 mod token;
+mod totals;
 mod unknown;
 mod unwrapped;
+mod walkways;
 mod wheeled;
 mod whereabouts;
 mod which;
@@ -144,6 +146,7 @@ pub fn brief(request: &str) -> Brief {
     buildings::plain(&mut tokens);
     converted::plain(&mut tokens);
     suites::plain(&mut tokens);
+    let total = totals::plain(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);
     let mut answers = talk::turns(&mut tokens);
@@ -151,6 +154,7 @@ pub fn brief(request: &str) -> Brief {
     owner::places(&mut tokens);
     owner::rooms(&mut tokens);
     paraphrase::plain(&mut tokens);
+    let unwanted = palette::unwanted(&mut tokens);
     let colors = palette::lift(&mut tokens);
     open_plan::plain(&mut tokens);
     zones::plain(&mut tokens);
@@ -179,6 +183,7 @@ pub fn brief(request: &str) -> Brief {
         if let Some(colors) = colors {
             palette::say(&mut brief.rooms, colors);
         }
+        brief.absent.extend(unwanted);
         style::say(&mut brief.rooms, &styles, request);
         for said in homes::children(&tokens) {
             used[said] = true;
@@ -211,6 +216,7 @@ pub fn brief(request: &str) -> Brief {
         });
     }
     notes.extend(answers);
+    notes.extend(total.map(|(at, reason)| Note { at, reason }));
     notes.extend(places.into_iter().map(|(at, reason)| Note { at, reason }));
     notes.extend(counts::odd(&tokens).into_iter().map(|(at, reason)| Note { at, reason }));
     brief.notes.splice(0..0, notes);

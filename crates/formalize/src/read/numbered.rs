@@ -21,7 +21,7 @@ const BY_CONTENTS: [(&str, &[&str]); 6] = [
 ];
 const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
 /// Where a room may be without being one.
-const PLACES: [&str; 16] = [
+const PLACES: [&str; 40] = [
     "garage",
     "basement",
     "cellar",
@@ -38,6 +38,30 @@ const PLACES: [&str; 16] = [
     "building",
     "village",
     "town",
+    "castle",
+    "gatehouse",
+    "palace",
+    "monastery",
+    "tower",
+    "lighthouse",
+    "mansion",
+    "villa",
+    "manor",
+    "cottage",
+    "farmhouse",
+    "skyscraper",
+    "train",
+    "ship",
+    "boat",
+    "yacht",
+    "submarine",
+    "spaceship",
+    "plane",
+    "airport",
+    "station",
+    "mall",
+    "harbour",
+    "mine",
 ];
 
 /// What is said of what is left out.
@@ -103,25 +127,29 @@ fn within(tokens: &mut Vec<Token>) -> Option<Range<usize>> {
     const HEAD: usize = 10;
     let said = (1..tokens.len().min(HEAD)).find_map(|i| {
         let owned = matches!(word(tokens, i + 1), "my" | "our" | "the" | "a" | "an" | "his" | "her" | "their");
-        if word(tokens, i) != "in" || !owned {
+        // "Under a castle gatehouse", "on a luxury train", "of an old lighthouse".
+        let there =
+            matches!(word(tokens, i), "in" | "inside" | "under" | "beneath" | "below" | "aboard" | "on" | "of" | "at");
+        if !there || !owned {
             return None;
         }
         let spare = |k: usize| {
             let is_spare = matches!(word(tokens, k), "spare" | "old" | "guest");
             is_spare && matches!(word(tokens, k + 1), "bedroom" | "room" | "office")
         };
-        let place = (i + 2..i + 4).find_map(|k| match PLACES.contains(&word(tokens, k)) {
-            true => Some(k),
-            false => spare(k).then_some(k + 1),
-        })?;
+        let ends = |k: usize| {
+            let after = word(tokens, k + 1);
+            tokens.get(k + 1).is_none_or(|t| !t.word()) || matches!(after, "with" | "for" | "that")
+        };
+        let is_place = |k: &usize| PLACES.contains(&word(tokens, *k)) || *k > i + 2 && spare(*k - 1);
+        let place = (i + 2..i + 5).filter(is_place).find(|k| ends(*k))?;
         let after = word(tokens, place + 1);
-        let ends = tokens.get(place + 1).is_none_or(|t| !t.word()) || matches!(after, "with" | "for" | "that");
         // "A wedding reception for 80 guests in a barn".
         let before = (i.saturating_sub(4)..i).find(|k| word(tokens, *k) == "for").unwrap_or(i);
         let named = (before.saturating_sub(LONGEST)..before).any(|from| room(tokens, from) == Some(before));
         // "In a barn that is 40 feet by 70 feet": so large is the room.
         let that = usize::from(after == "that" && tokens.get(place + 2).is_some_and(|t| !t.word()));
-        (ends && named).then_some(i..place + 1 + that)
+        named.then_some(i..place + 1 + that)
     })?;
     let at = tokens[said.start].at.start..tokens[said.end - 1].at.end;
     tokens.drain(said);

@@ -48,6 +48,44 @@ pub fn lift(tokens: &mut Vec<Token>) -> Option<Palette> {
     Some((at, colors))
 }
 
+/// Takes colours that nothing is to have out of a request: "no blue, please". Each with where that is said.
+pub fn unwanted(tokens: &mut Vec<Token>) -> Vec<(String, Range<usize>)> {
+    let mut found = Vec::new();
+    let mut i = 0;
+    while i < tokens.len() {
+        let no = matches!(word(tokens, i), "no" | "without" | "nothing" | "avoid" | "not");
+        let begins =
+            i == 0 || !tokens[i - 1].word() || matches!(word(tokens, i - 1), "and" | "but" | "please" | "with");
+        let any = i + 1 + usize::from(word(tokens, i + 1) == "any");
+        let Some((mut named, mut end)) = colors(tokens, any).filter(|_| no && begins) else {
+            i += 1;
+            continue;
+        };
+        // "No white or grey".
+        while let Some((more, to)) = colors(tokens, end + 1).filter(|_| matches!(word(tokens, end), "or" | "nor")) {
+            named.extend(more);
+            end = to;
+        }
+        let after = (end..end + 3)
+            .take_while(|k| {
+                matches!(word(tokens, *k), "please" | "anywhere" | "though" | "at" | "all" | "tones" | "shades")
+            })
+            .count();
+        let end = end + after;
+        // "No blue chairs": chairs.
+        if tokens.get(end).is_some_and(|t| t.word() && !t.is("and") && !t.is("but")) {
+            i += 1;
+            continue;
+        }
+        let at = tokens[i].at.start..tokens[end - 1].at.end;
+        found.extend(named.into_iter().map(|color| (color, at.clone())));
+        let from = i - usize::from(i > 0 && tokens[i - 1].is(","));
+        tokens.drain(from..end);
+        i = from;
+    }
+    found
+}
+
 /// Whether what begins at a token is said of a room: its name is before it, or a list goes on there.
 fn is_of_room(tokens: &[Token], start: usize) -> bool {
     start == 0 || matches!(tokens[start - 1].kind, WordKind::Line | WordKind::Sign(_)) || ends_room(tokens, start)
@@ -190,6 +228,21 @@ mod tests {
             ("a salon, in", "a salon , in"),
         ] {
             assert_eq!(crate::read::paraphrase::plainly(said), becomes);
+        }
+    }
+
+    #[test]
+    fn colors_that_nothing_is_to_have_are_taken_out() {
+        for (text, colors, becomes) in [
+            ("a bedroom, bunk bed, no blue please", "blue", "a bedroom , bunk bed"),
+            ("an office with a desk, no white or grey", "white gray", "an office with a desk"),
+            ("a study. nothing red. a desk", "red", "a study . . a desk"),
+            ("a study with no blue chairs", "", "a study with no blue chairs"),
+        ] {
+            let mut tokens = tokens(text, 100).0;
+            let found: Vec<String> = unwanted(&mut tokens).into_iter().map(|(color, _)| color).collect();
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!((found.join(" ").as_str(), words.join(" ").as_str()), (colors, becomes));
         }
     }
 

@@ -78,8 +78,12 @@ pub fn say(rooms: &mut [Room], styles: &[SaidStyle], request: &str) {
             }
         }
     }
+    // "A guardroom under a castle gatehouse": where it is says it, if the request begins so.
+    let ends = |c: char| matches!(c, ',' | ':' | '.' | ';' | '\n' | '!');
+    let first = request.split(ends).next().unwrap_or_default();
     for room in rooms.iter_mut().filter(|room| room.style.is_none()) {
-        let place = request.get(room.source.at()).unwrap_or_default();
+        let is_first = room.source.at().end <= first.len();
+        let place = if is_first { first } else { request.get(room.source.at()).unwrap_or_default() };
         room.style = styles::of_place(place).or_else(|| styles::of_place(&room.name)).map(|style| style.name);
     }
 }

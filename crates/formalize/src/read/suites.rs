@@ -37,6 +37,7 @@ struct Head {
 
 /// Takes such sentences apart.
 pub fn plain(tokens: &mut Vec<Token>) {
+    home(tokens);
     let mut from = 0;
     while from < tokens.len() {
         let end = tokens[from..].iter().position(Token::stops).map_or(tokens.len(), |n| from + n);
@@ -60,6 +61,36 @@ pub fn plain(tokens: &mut Vec<Token>) {
         if let Some((at, words)) = business(tokens, heads[0].at.start) {
             tokens.splice(at, words);
         }
+    }
+}
+
+/// "A flat. It should have a living room and a bedroom": the flat has them.
+fn home(tokens: &mut Vec<Token>) {
+    const HAVE: [&[&str]; 11] = [
+        &["should", "have"],
+        &["must", "have"],
+        &["needs", "to", "have"],
+        &["has", "to", "have"],
+        &["will", "have"],
+        &["should", "include"],
+        &["has"],
+        &["needs"],
+        &["includes"],
+        &["contains"],
+        &["consists", "of"],
+    ];
+    let starts = |k: &usize| *k > 0 && tokens[k - 1].stops() && matches!(word(tokens, *k), "it" | "this");
+    let said = (0..tokens.len()).filter(starts).find_map(|it| {
+        let is = |words: &&&[&str]| words.iter().enumerate().all(|(k, have)| word(tokens, it + 1 + k) == *have);
+        let end = it + 1 + HAVE.iter().find(is)?.len();
+        let has_room = (end..end + 2).any(|k| room(tokens, k, false).is_some());
+        let home = (0..it).rev().find(|k| super::several::is_home(word(tokens, *k)))?;
+        has_room.then_some((it..end, home))
+    });
+    if let Some((at, home)) = said {
+        let like = tokens[at.start].clone();
+        let name = tokens[home].text.clone();
+        tokens.splice(at, ["the", &name, "has"].map(|text| like.saying(text)));
     }
 }
 

@@ -166,7 +166,7 @@ fn alternatives_differ_and_freedom_is_named() {
     let room = found[0].layout.objects.iter().filter(|(n, _)| n != "lamp").all(|(_, p)| (p.pos.x - 2.0).abs() > 0.7);
     assert!(!room || (lamp.moves[2][0] - (z + 1.75)).abs() < 0.03, "{z} {words:?}");
     assert!(
-        words.iter().any(|w| w.starts_with("`lamp` along z by up to ") && w.ends_with(" m and to turn")),
+        words.iter().any(|w| w.starts_with("`lamp` along z by up to ") && w.ends_with(" m and by turning")),
         "{words:?}"
     );
     assert!(free.complete && free.objects.iter().all(|f| f.moves[1] == [0.0; 2]), "nothing floats: {words:?}");
