@@ -9,7 +9,7 @@ use crate::brief::Group;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 28] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 30] = [
         ones,
         biggest,
         racks,
@@ -38,6 +38,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         for_instance,
         long_side,
         narrow_bed,
+        every_wall,
+        pegs,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -529,6 +531,46 @@ fn narrow_bed(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
+/// "Shelves on every wall": one against each.
+fn every_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some(name) = noun(tokens, i) else { return false };
+    let many = plural(word(tokens, name.end - 1)) && (i == 0 || super::quantified::number(tokens, i - 1).is_none());
+    let at = name.end;
+    let on = matches!(word(tokens, at), "on" | "along" | "against") && matches!(word(tokens, at + 1), "every" | "each");
+    let stands =
+        matches!(get().noun(&singular(word(tokens, name.end - 1))), Some(Group::Storage | Group::Seat | Group::Table));
+    if !many || !on || word(tokens, at + 2) != "wall" || !stands {
+        return false;
+    }
+    let one: Vec<String> = tokens[name.clone()].iter().map(|t| singular(&t.text)).collect();
+    let mut words: Vec<String> = vec!["four".to_owned()];
+    words.extend(tokens[name.clone()].iter().map(|t| t.text.clone()));
+    for (nth, wall) in [("first", "left"), ("second", "right"), ("third", "back"), ("fourth", "front")] {
+        words.extend([".", "the", nth].map(str::to_owned));
+        words.extend(one.iter().cloned());
+        words.extend(["stands", "against", "the", wall, "wall"].map(str::to_owned));
+    }
+    let comma = tokens.get(at + 3).is_some_and(|t| t.is(","));
+    words.extend(comma.then(|| ".".to_owned()));
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    put(tokens, name.start, at + 3 + usize::from(comma), &words);
+    for token in tokens[name.start..].iter_mut().take(words.len()).filter(|token| token.text == ".") {
+        token.kind = WordKind::Sign('.');
+    }
+    true
+}
+
+/// "Coat pegs by the door": a coat rack on the wall.
+fn pegs(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let coat =
+        matches!(word(tokens, i), "coat" | "clothes" | "wall") && matches!(word(tokens, i + 1), "pegs" | "hooks");
+    if !coat {
+        return false;
+    }
+    put(tokens, i, i + 2, &["a", "coat", "hook", "rail"]);
+    true
+}
+
 /// The noun after "the" that begins here.
 fn definite(tokens: &[Token], i: usize) -> Option<std::ops::Range<usize>> {
     noun(tokens, i + 1).filter(|_| word(tokens, i) == "the")
@@ -587,6 +629,12 @@ mod tests {
                 "there are an open suitcase and a towel on the floor .",
             ),
             ("windows along one long side.", "windows along one long wall ."),
+            (
+                "shelves on every wall, a cart",
+                "four shelves . the first shelf stands against the left wall . the second shelf stands against the right wall . \
+                 the third shelf stands against the back wall . the fourth shelf stands against the front wall . a cart",
+            ),
+            ("coat pegs by the door", "a coat hook rail by the door"),
             ("a narrow bed, straw beds", "a single bed , single beds"),
             ("a messy bedroom, clothes all over the floor", "a messy bedroom , six shirts on the floor"),
             ("books scattered all over the place.", "six books on the floor ."),

@@ -32,10 +32,29 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let stops = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':' | '!' | '?'));
     let end = tokens[i..].iter().position(stops).map_or(tokens.len(), |n| i + n);
-    let Some(comma) = closing(tokens, i + 2, end) else { return false };
+    let Some(comma) = closing(tokens, i + 2, end).or_else(|| placed_after(tokens, i + 2, end)) else { return false };
     let and = usize::from(matches!(word(tokens, comma + 1), "and" | "plus"));
     goes_on(tokens, comma, and);
     true
+}
+
+/// "Four wheels, each with a stool, a table, a kiln in the corner": what has a place in the room is there once, and so is what is
+/// listed before it after the first.
+fn placed_after(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
+    let place = |k: &usize| {
+        matches!(
+            [word(tokens, *k), word(tokens, k + 1), word(tokens, k + 2)],
+            ["in", "the", "corner" | "middle" | "centre" | "center"]
+                | ["in", "a" | "one", "corner"]
+                | ["against" | "along" | "by", "the", _]
+        )
+    };
+    let at = (from..end).find(place)?;
+    let mut commas = (from..at).filter(|k| tokens[*k].is(","));
+    let first = commas.next()?;
+    let and = usize::from(word(tokens, first + 1) == "and");
+    // "Each with a bed and a lamp by the wall" says where each of them is.
+    item(tokens, first + 1 + and).then_some(first)
 }
 
 /// "Two tables with six chairs each and a shelf": the shelf is there once.
@@ -225,6 +244,10 @@ mod tests {
     #[test]
     fn what_each_has_ends_where_its_list_ends() {
         for (said, becomes) in [
+            (
+                "four wheels, each with a stool, a table, a kiln in the corner and a rack.",
+                "four wheels , each with a stool . there is a table , a kiln in the corner and a rack .",
+            ),
             (
                 "twin beds with one shared nightstand, a desk with a lamp, and a chair.",
                 "twin beds with one nightstand between them . there is a desk with a lamp , and a chair .",

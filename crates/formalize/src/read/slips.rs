@@ -48,6 +48,12 @@ fn is_slip(word: &str, noun: &str) -> bool {
     let same = a.iter().zip(b).take_while(|(x, y)| x == y).count();
     let (long, short) = if a.len() >= b.len() { (a, b) } else { (b, a) };
     if a.len() == b.len() {
+        // "Fireplase": a letter that sounds alike.
+        let sounds =
+            |x: u8, y: u8| [&b"scz"[..], b"iye", b"aeo", b"fv"].iter().any(|all| all.contains(&x) && all.contains(&y));
+        if a.len() > LONG && same < a.len() && a[same + 1..] == b[same + 1..] && sounds(a[same], b[same]) {
+            return true;
+        }
         return same + 1 < a.len()
             && a[same] == b[same + 1]
             && a[same + 1] == b[same]
@@ -73,6 +79,7 @@ mod tests {
             ("nighstand", "nightstand"),
             ("carpett", "carpet"),
             ("bookshlef", "bookshelf"),
+            ("fireplase", "fireplace"),
         ] {
             assert_eq!(meant(word).as_deref(), Some(noun), "{word}");
         }

@@ -84,7 +84,7 @@ mod tests {
                 "a flat with a hall and a bedroom . the flat is 55 square metres .",
             ),
             ("my building, total space is about 120 m². a hall.", "my building . a hall ."),
-            ("a study, overall area 12 m². a desk", "a study . the room is 12 m² . a desk"),
+            ("a study, overall area 12 m². a desk", "a study . the room is 12 m ² . a desk"),
             (
                 "a hotel room for a robot. overall 3.6 m x 7 m, a desk",
                 "a hotel room for a robot . the room is 3.6 m x 7 m , a desk",
