@@ -8,7 +8,7 @@ use scenelang_lang::program::{ObjectId, Program};
 use scenelang_lang::sources::{Loader, unreadable};
 use scenelang_layout::{Layout, ReadLayout, file as layout_file};
 use scenelang_verify::check::{matching, rooms};
-use scenelang_verify::prove::{Findings, ProveOptions, prove};
+use scenelang_verify::prove::{Findings, ProveOptions, prove_closely};
 use scenelang_verify::report::build;
 use scenelang_verify::{CheckVerdict, Checked, Options};
 use std::path::{Path, PathBuf};
@@ -46,7 +46,7 @@ pub fn check_file_with(
         let compiled = compile_with(name, path, compile, loader, SourceMap::new());
         let explain = options.detail.proofs;
         let proofs = ProveOptions { judging: *options, explain, usual: true, ..ProveOptions::default() };
-        let findings = compiled.program.as_ref().map(|program| prove(program, &proofs)).unwrap_or_default();
+        let findings = compiled.program.as_ref().map(|program| prove_closely(program, &proofs)).unwrap_or_default();
         return check_program(name, compiled, &findings, options);
     }
     let text = match loader.load(path) {

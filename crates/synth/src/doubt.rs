@@ -7,16 +7,15 @@
 
 use scenelang_lang::Program;
 use scenelang_solve::Stop;
-use scenelang_verify::prove::{Findings, ProveOptions, WORK, prove};
+use scenelang_verify::prove::{DEAR, Findings, ProveOptions, WORK, prove};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
 /// Most layouts are found within this time; before it nobody doubts that there is one.
 const PATIENCE: Duration = Duration::from_millis(50);
-/// The work of the cheap proofs, and of those after a search that found nothing.
+/// The work of the cheap proofs.
 const CHEAP: u64 = WORK / 6;
-const DEAR: u64 = 4 * WORK;
 /// The prover's stack (bytes): that of a main thread.
 const STACK: usize = 8 << 20;
 

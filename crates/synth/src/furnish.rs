@@ -400,7 +400,7 @@ mod tests {
                     rest,
                 ),
                 (
-                    "W0602 there is no usual size for \"g0\", \"g1\", \"g2\" and 4 more; such objects become cubes of 0.5 m",
+                    "W0602 there is no usual size for \"g0\", \"g1\", \"g2\" and 4 more; such objects become cubes with an edge length of 0.5 m",
                     "g1 g2 g3 g4",
                     rest,
                 ),

@@ -562,8 +562,7 @@ fn every_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// "Coat pegs by the door": a coat rack on the wall.
 fn pegs(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let coat =
-        matches!(word(tokens, i), "coat" | "clothes" | "wall") && matches!(word(tokens, i + 1), "pegs" | "hooks");
+    let coat = matches!(word(tokens, i), "coat" | "clothes") && word(tokens, i + 1) == "pegs";
     if !coat {
         return false;
     }

@@ -6,17 +6,19 @@
 
 use super::minimal::Prover;
 use super::usual::Usual;
-use super::{Contradiction, ProveOptions};
+use super::{Contradiction, ProveOptions, WORK};
+use crate::rules::Scope;
+use crate::world::World;
 use scenelang_base::TextRange;
 use scenelang_lang::program::{
     Arg, Arith, Axis, BuiltIn, Comparison, Constraint, ConstraintKind, Formula, Function, Node, NodeId, ObjectId,
-    ObjectProperty, Owner, Pin, Pinned, Program, RegionId, RegionProperty,
+    ObjectProperty, Owner, Pin, Pinned, Program, RegionId, RegionProperty, Unit,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many things are taken as the one that sees the others: first those of which most is said.
 const MOST: usize = 8;
-/// The part of the work that one of them may take.
+/// The part of the work that one of them may take; where there is more work than usual, all of them share twice that.
 const ONE: u64 = 16;
 
 /// Sets of statements that cannot hold together, as one of the things sees them.
@@ -33,6 +35,9 @@ pub(super) fn contradictions(program: &Program, options: &ProveOptions) -> Vec<C
     let mut seeing: Vec<(ObjectId, usize)> = read.into_iter().filter(|(id, _)| !turned.contains(id)).collect();
     seeing.sort_by_key(|(id, count)| (std::cmp::Reverse(*count), *id));
     seeing.truncate(MOST);
+    let dear = options.work > WORK;
+    let work = if dear { 2 * options.work / seeing.len().max(1) as u64 } else { options.work / ONE };
+    let options = &ProveOptions { work, redundant: false, ..options.clone() };
     let mut found: Vec<Contradiction> = Vec::new();
     for (object, _) in seeing {
         if options.cancel.as_ref().is_some_and(|cancel| cancel.load(std::sync::atomic::Ordering::Relaxed)) {
@@ -252,6 +257,7 @@ fn turned(pin: &Pin) -> Option<ObjectId> {
 
 /// What a thing and those that statements relate to it say of each other, with that thing unturned.
 fn seen_from(program: &Program, options: &ProveOptions, relative: &[Relative], object: ObjectId) -> Vec<Contradiction> {
+    let scope = Scope::new(&World::<f64>::nowhere(program, &options.judging));
     let mut near: BTreeSet<ObjectId> = BTreeSet::from([object]);
     for statement in relative {
         let objects = statement.formula.objects();
@@ -279,6 +285,20 @@ fn seen_from(program: &Program, options: &ProveOptions, relative: &[Relative], o
         values: vec![no_turn(None)],
         constraint: unturned,
     });
+    let first = own.constraints.len();
+    own.constraints.push(constraint(&own.constraints[0], at_origin(object)));
+    let room = only_room(program, options);
+    let kept_in: Vec<ObjectId> = match room {
+        Some(_) if scope.bounds(object) => {
+            near.iter().copied().filter(|other| *other != object && scope.bounds(*other)).collect()
+        }
+        _ => Vec::new(),
+    };
+    if let Some(room) = room {
+        for other in &kept_in {
+            own.constraints.push(constraint(&own.constraints[0], not_beyond(object, *other, room.diagonal)));
+        }
+    }
     let known = Usual::of(program);
     let regions = || (0..program.regions.len()).map(|region| RegionId(region as u32));
     let usual = Usual {
@@ -290,11 +310,12 @@ fn seen_from(program: &Program, options: &ProveOptions, relative: &[Relative], o
     if !usual.upright[object.0 as usize] {
         return Vec::new();
     }
-    let options = ProveOptions { work: options.work / ONE, redundant: false, ..options.clone() };
-    let mut found = Prover::new(&own, &options, Some(&usual)).findings().contradictions;
+    let mut found = Prover::new(&own, options, Some(&usual)).findings().contradictions;
     for contradiction in &mut found {
         contradiction.as_usual = true;
-        contradiction.statements.retain(|s| *s != unturned);
+        let rests = contradiction.statements.iter().filter_map(|s| kept_in.get(s.checked_sub(first + 1)?));
+        let rests: Vec<ObjectId> = rests.copied().collect();
+        contradiction.statements.retain(|s| *s < unturned);
         let said: Vec<(usize, Vec<TextRange>)> = std::mem::take(&mut contradiction.parts);
         for s in &contradiction.statements {
             let known = said.iter().find(|(of, _)| of == s).map(|(_, ranges)| ranges.clone());
@@ -303,9 +324,79 @@ fn seen_from(program: &Program, options: &ProveOptions, relative: &[Relative], o
             }
         }
         contradiction.statements = contradiction.statements.iter().map(|s| among[*s].index).collect();
+        if let Some(room) = room.filter(|_| !rests.is_empty()) {
+            let name = |id: ObjectId| &program.objects[id.0 as usize].name;
+            contradiction.statements.push(room.sized_by);
+            contradiction.statements.sort_unstable();
+            contradiction.statements.dedup();
+            let rules = rests
+                .iter()
+                .chain([&object])
+                .map(|id| format!("P-BOUNDS keeps `{}` in `{}`", name(*id), program.regions[0].name));
+            contradiction.rules.extend(rules);
+            contradiction.rules.sort_unstable();
+            contradiction.rules.dedup();
+        }
     }
     found.retain(|contradiction| !contradiction.statements.is_empty());
     found
+}
+
+/// The one room of a program, if its size is given in numbers.
+#[derive(Clone, Copy)]
+struct OnlyRoom {
+    /// The statement that gives it.
+    sized_by: usize,
+    /// From one corner to the opposite one (metres), with what may stick out of the room.
+    diagonal: f64,
+}
+
+fn only_room(program: &Program, options: &ProveOptions) -> Option<OnlyRoom> {
+    /// Much more than the tolerance of P-BOUNDS on both sides (metres).
+    const OUT: f64 = 0.1;
+    let shaped = program.pins.iter().any(|pin| pin.property == Pinned::Vertices);
+    let is_size = |pin: &&Pin| matches!(pin.owner, Owner::Region(_)) && pin.property == Pinned::Scale;
+    let mut sizes = program.pins.iter().filter(is_size);
+    let (Some(pin), None, 1, false, true) =
+        (sizes.next(), sizes.next(), program.regions.len(), shaped, options.judging.physics)
+    else {
+        return None;
+    };
+    let [value] = &pin.values[..] else { return None };
+    let Node::Vector([w, _, d]) = value.root_node() else { return None };
+    let (Node::Number(w), Node::Number(d)) = (value.node(*w), value.node(*d)) else { return None };
+    Some(OnlyRoom { sized_by: pin.constraint, diagonal: w.hypot(*d) + OUT })
+}
+
+/// That a thing stands in the middle of everything.
+fn at_origin(object: ObjectId) -> Formula {
+    let mut nodes = vec![Node::Object(ObjectProperty::Center, object), Node::Number(0.0)];
+    for axis in [Axis::X, Axis::Z] {
+        let at = NodeId(nodes.len() as u32);
+        nodes.push(Node::Component(axis, NodeId(0)));
+        nodes.push(Node::Compare(Comparison::Eq, Unit::Metre, at, NodeId(1)));
+    }
+    all(nodes, &[3, 5])
+}
+
+/// That another thing is no farther from it, along either axis.
+fn not_beyond(object: ObjectId, other: ObjectId, most: f64) -> Formula {
+    let center = |id: ObjectId| Node::Object(ObjectProperty::Center, id);
+    let mut nodes =
+        vec![center(object), center(other), Node::Arith(Arith::Sub, NodeId(1), NodeId(0)), Node::Number(most)];
+    for axis in [Axis::X, Axis::Z] {
+        let at = nodes.len() as u32;
+        nodes.push(Node::Component(axis, NodeId(2)));
+        nodes.push(Node::Call(Function::Abs, [NodeId(at)].into()));
+        nodes.push(Node::Compare(Comparison::Le, Unit::Metre, NodeId(at + 1), NodeId(3)));
+    }
+    all(nodes, &[6, 9])
+}
+
+fn all(mut nodes: Vec<Node>, parts: &[u32]) -> Formula {
+    nodes.push(Node::And(parts.iter().map(|at| NodeId(*at)).collect()));
+    let root = NodeId(nodes.len() as u32 - 1);
+    Formula { ranges: vec![TextRange::default(); nodes.len()], nodes, root }
 }
 
 fn constraint(of: &Constraint, formula: Formula) -> Constraint {

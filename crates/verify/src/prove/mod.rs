@@ -68,6 +68,9 @@ pub struct ProveOptions {
 
 /// Work enough for rooms and houses, little enough not to be waited for.
 pub const WORK: u64 = 3_000_000;
+/// The work where nothing else is left to do: after a search that found no layout, and where a person asks about a program
+/// alone.
+pub const DEAR: u64 = 4 * WORK;
 
 impl Default for ProveOptions {
     fn default() -> Self {
@@ -149,6 +152,23 @@ pub fn prove(program: &Program, options: &ProveOptions) -> Findings {
     let mut findings = minimal::Prover::new(program, options, usual.as_ref()).findings();
     if usual.is_some() && findings.contradictions.is_empty() {
         findings.contradictions = framed::contradictions(program, options);
+    }
+    findings
+}
+
+/// Larger programs take too long to look at closely.
+const FEW_OBJECTS: usize = 20;
+
+/// The same of a program that somebody waits for: where the usual work ends without a contradiction and there are few
+/// objects, all that `solve` proves, so that both say the same. Some proofs are shorter where nothing is taken as usual.
+pub fn prove_closely(program: &Program, options: &ProveOptions) -> Findings {
+    let mut findings = prove(program, options);
+    for (usual, work) in [(false, options.work), (options.usual, DEAR)] {
+        if !findings.contradictions.is_empty() || program.objects.len() > FEW_OBJECTS {
+            break;
+        }
+        let more = ProveOptions { usual, work, redundant: false, ..options.clone() };
+        findings.contradictions = prove(program, &more).contradictions;
     }
     findings
 }
