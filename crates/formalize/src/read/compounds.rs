@@ -38,6 +38,15 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     };
     let said = if people {
         vec![like.saying("for"), number, like.saying("people")]
+    } else if tokens.get(end).is_some_and(|t| t.is(",")) {
+        // "A 3-chair barbershop, dark green": the shop is green.
+        let noun = if n > 1.0 { scenelang_lang::nouns::plural(&noun) } else { noun };
+        let stop = tokens[end..].iter().position(Token::stops).map_or(tokens.len(), |k| end + k);
+        let dot = Token { kind: WordKind::Sign('.'), ..like.saying(".") };
+        let said = [dot, like.saying("there"), like.saying("are"), number, like.saying(&noun)];
+        tokens.splice(stop..stop, said);
+        tokens.drain(i..from);
+        return true;
     } else {
         let noun = if n > 1.0 { scenelang_lang::nouns::plural(&noun) } else { noun };
         let with = word(tokens, end) == "with";
@@ -107,7 +116,8 @@ mod tests {
     #[test]
     fn numbers_that_are_joined_to_a_noun_count_it() {
         for (text, becomes) in [
-            ("a 3-chair barbershop, retro", "a barbershop with 3 chairs , retro"),
+            ("a 3-chair barbershop, retro", "a barbershop , retro . there are 3 chairs"),
+            ("a 3-chair barbershop with a sofa", "a barbershop with 3 chairs and a sofa"),
             ("a 12-person meeting room with a screen", "a meeting room for 12 people with a screen"),
             ("a four-bed ward with a sink", "a ward with four beds and a sink"),
             ("a 40-seat restaurant", "a restaurant for 40 people"),

@@ -79,7 +79,7 @@ fn named(tokens: &mut Vec<Token>, i: usize) -> bool {
             vec![Token { kind: WordKind::Number(USUAL.1), ..like.saying(USUAL.0) }, like.saying("m")]
         }),
     );
-    said.extend([like.saying("wide"), like.clone()]);
+    said.extend([like.saying("wide"), like]);
     tokens.splice(article - 1..to, said);
     true
 }
