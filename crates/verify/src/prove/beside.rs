@@ -344,7 +344,9 @@ impl Packing<'_> {
         let whole: Vec<f64> = row.iter().map(|e| self.reach(group, e.member, axis, state)).collect();
         let least = whole.iter().copied().fold(f64::INFINITY, f64::min);
         let most = whole.iter().copied().fold(0.0, f64::max);
-        let said = if space > 0.0 { space + 3.0 * self.contact } else { 0.0 };
+        // A row whose units touch keeps a few millimetres, which nobody asked for.
+        const TOUCHING: f64 = 0.03;
+        let said = if space > TOUCHING { space + 3.0 * self.contact } else { 0.0 };
         let kept = if is_uneven {
             tree(&|_, _, kept| kept.space + 3.0 * self.contact * f64::from(kept.space > 0.0))
         } else {
@@ -357,7 +359,7 @@ impl Packing<'_> {
         });
         let there = last - first;
         let each = if most - least < 0.005 { format!(" of {} m", short(most)) } else { String::new() };
-        let keep = match space > 0.0 {
+        let keep = match said > 0.0 {
             true => format!(" {} m apart", short(said)),
             false if is_uneven && kept > 0.0 => format!(" with {} m between some of them", short(kept)),
             false => String::new(),
