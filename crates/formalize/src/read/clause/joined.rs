@@ -91,6 +91,11 @@ impl Reader<'_> {
         const RUN: [&str; 9] =
             ["sink", "stove", "oven", "hob", "cooktop", "cooker", "dishwasher", "fridge", "refrigerator"];
         for t in things {
+            // "A bookcase, two tables with four chairs each": these are joined with their tables already.
+            let is_shared = matches!(self.brief.things[*t].number, Number::Each { of, .. } if owner.contains(&of));
+            if is_shared && owner.len() > 1 {
+                continue;
+            }
             // "A kitchen with an island with three stools and a double sink": the kitchen has the sink.
             let is_end = |thing: usize, ends: &[&str]| ends.contains(&self.brief.things[thing].head().as_str());
             let seats = self.brief.facts.iter().any(|fact| {

@@ -754,13 +754,7 @@ impl Reader<'_> {
                         if self.s.each { self.multiply(&own, owner[0]) } else { self.share_out(&own, owner[0]) }
                     }
                 }
-                // "A bookcase, two tables with four chairs each": these are joined with their tables already.
-                let shared = |t: &usize| match self.brief.things[*t].number {
-                    Number::Each { of, .. } if owner.len() > 1 => owner.contains(&of),
-                    _ => false,
-                };
-                let rest: Vec<usize> = fresh.iter().copied().filter(|t| !shared(t)).collect();
-                self.join(&owner, &rest, join);
+                self.join(&owner, &fresh, join);
                 self.s.owned.clone_from(&fresh);
                 self.s.expect = Expect::With(owner, join);
                 self.near = group[group.len() - 1..].to_vec();
