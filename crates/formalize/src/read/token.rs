@@ -111,23 +111,8 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
             // "3D", "4K": a word.
             let letters: String = rest[len..].chars().take_while(|c| c.is_alphabetic()).collect();
             let lower = letters.to_lowercase();
-            if let Some(nth) = nth(&lower, value) {
-                let all = len + letters.len();
-                out.push(Token {
-                    kind: WordKind::Word,
-                    text: nth.into(),
-                    at: at..at + all,
-                    owner: false,
-                    capital: false,
-                });
-                at += all;
-                continue;
-            }
-            // "the 1930s", "the 14th century": when, and no number of anything.
-            let decade = lower == "s" && (1000.0..2100.0).contains(&value) && value % 10.0 == 0.0;
-            if decade || ["th", "st", "nd", "rd"].contains(&lower.as_str()) {
-                let all = len + letters.len();
-                let text = rest[..all].to_lowercase();
+            let all = len + letters.len();
+            if let Some(text) = nth(&lower, value).map(str::to_owned).or_else(|| when(&lower, value, &rest[..all])) {
                 out.push(Token { kind: WordKind::Word, text, at: at..at + all, owner: false, capital: false });
                 at += all;
                 continue;
@@ -136,7 +121,6 @@ pub fn tokens(text: &str, most: usize) -> (Vec<Token>, usize) {
             if letters.is_empty() || unit || letters.len() > 2 || letters.chars().any(char::is_lowercase) {
                 (len, Some((WordKind::Number(value), rest[..len].to_owned(), false)))
             } else {
-                let all = len + letters.len();
                 (all, Some((WordKind::Word, rest[..all].to_lowercase(), false)))
             }
         } else if matches!(c, '“' | '”' | '*' | '`') && !is_after_number(&out, at) && touches_word(text, at, c) {
@@ -169,6 +153,12 @@ fn nth(letters: &str, value: f64) -> Option<&'static str> {
         ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
     let at = (1..=WORDS.len()).find(|n| *n as f64 == value)?;
     matches!(letters, "st" | "nd" | "rd" | "th").then(|| WORDS[at - 1])
+}
+
+/// "1930s", "14th": when, and no number of anything.
+fn when(letters: &str, value: f64, text: &str) -> Option<String> {
+    let decade = letters == "s" && (1000.0..2100.0).contains(&value) && value % 10.0 == 0.0;
+    (decade || matches!(letters, "th" | "st" | "nd" | "rd")).then(|| text.to_lowercase())
 }
 
 /// Whether a sign is at the beginning or the end of a word: no "7 * 5".
