@@ -95,7 +95,7 @@ struct Boxes {
 
 impl Boxes {
     /// Whether parts fill a rectangle about the middle axis at a height, as far as samples show; or shut it off, where that
-    /// is enough: from each sample one of them is met in every direction but one.
+    /// is enough: from each sample one of them is met in every direction. What is open in front has things in it.
     fn fill(&self, [w, d]: [f64; 2], y: f64) -> bool {
         const SAMPLES: i32 = 10;
         let along = |k: i32, length: f64| length * (f64::from(k) / f64::from(SAMPLES - 1) - 0.5);
@@ -117,7 +117,7 @@ impl Boxes {
                 let beside: Vec<usize> = (0..3).filter(|i| *i != axis).collect();
                 self.parts.iter().any(|b| within(p, b, &beside, gap) && (b.0[axis] - p[axis]) * way >= -b.1[axis])
             };
-            (0..3).flat_map(|axis| [(axis, -1.0), (axis, 1.0)]).filter(|(axis, way)| !met(*axis, *way)).count() <= 1
+            (0..3).flat_map(|axis| [(axis, -1.0), (axis, 1.0)]).all(|(axis, way)| met(axis, way))
         })
     }
 

@@ -509,8 +509,12 @@ fn for_instance(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "Windows along one long side": along one long wall.
+/// "Windows along one long side": along one long wall. Chairs are at a side of their table.
 fn long_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let before = i.checked_sub(1).map_or("", |k| word(tokens, k));
+    if !matches!(get().noun(&singular(before)), Some(Group::Window | Group::Door)) {
+        return false;
+    }
     let at = matches!(word(tokens, i), "along" | "on" | "at" | "down");
     let one = matches!(word(tokens, i + 1), "one" | "the" | "a" | "each");
     let long = matches!(word(tokens, i + 2), "long" | "longer" | "short" | "shorter");
