@@ -8,9 +8,9 @@ use super::token::{Token, WordKind};
 use crate::furnish::kinds;
 
 /// Who, or whose place, is counted.
-const PEOPLE: [&str; 17] = [
+const PEOPLE: [&str; 15] = [
     "person", "people", "man", "seat", "seater", "place", "pupil", "student", "child", "guest", "cover", "player",
-    "pax", "desk", "student", "patient", "kid",
+    "pax", "patient", "kid",
 ];
 /// The most words between the number and the end of the name that it stands before.
 const LONGEST: usize = 4;
@@ -26,8 +26,6 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let table = people.then(|| table(tokens, from)).flatten();
     let Some(end) = table.or_else(|| room(tokens, from)) else { return false };
-    // A desk is a thing that a room has, and nobody's place at a table.
-    let people = people && noun != "desk" && noun != "patient";
     if !people && (get().noun(&noun).is_none() || get().room(&noun).is_some()) {
         return false;
     }

@@ -85,7 +85,10 @@ fn room(tokens: &[Token], from: usize) -> Option<Range<usize>> {
     let name = from + usize::from(article);
     let names = |n: &usize| {
         let words: Vec<String> = (name..name + n).map(|k| word(tokens, k).to_owned()).collect();
-        let plain = words.iter().all(|word| !word.is_empty() && !matches!(word.as_str(), "into" | "is" | "will"));
+        let joins = |word: &str| {
+            matches!(word, "" | "into" | "is" | "will" | "of" | "the" | "a" | "with" | "for" | "and" | "in")
+        };
+        let plain = words.iter().all(|word| !joins(word));
         let furnished = crate::furnish::kinds::named(&words.join(" ")).is_some();
         plain && (furnished || get().room_ending(&words).is_some_and(|(_, kind)| kind.name != "room"))
     };
@@ -108,6 +111,7 @@ mod tests {
             ("our attic is going to be the guest bedroom. it is large.", "the guest bedroom . it is large ."),
             ("convert the spare bedroom into a home office with a desk", "convert a home office with a desk"),
             ("the sofa is going to be the bed", "the sofa is going to be the bed"),
+            ("my kitchen is to be the heart of the home", "my kitchen is to be the heart of the home"),
             ("make the kitchen large", "make the kitchen large"),
         ] {
             let mut tokens = tokens(text, 100).0;
