@@ -24,15 +24,36 @@ fn group(tokens: &[Token], last: usize) -> Option<Group> {
     get().noun(&singular(word(tokens, last)))
 }
 
+/// "Full of", "crowded with", "buried in".
+pub(super) fn is_full_of(tokens: &[Token], i: usize) -> bool {
+    const WITH: [&str; 14] = [
+        "loaded",
+        "piled",
+        "stacked",
+        "packed",
+        "stuffed",
+        "stocked",
+        "covered",
+        "crowded",
+        "cluttered",
+        "laden",
+        "littered",
+        "strewn",
+        "heaped",
+        "crammed",
+    ];
+    let (filled, by) = (word(tokens, i), word(tokens, i + 1));
+    match by {
+        "of" => filled == "full",
+        "in" | "under" | "beneath" => matches!(filled, "covered" | "buried" | "drowning"),
+        "with" => WITH.contains(&filled),
+        _ => false,
+    }
+}
+
 /// "A shelf full of books", "a table covered in magazines": holding books.
 fn full_of(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let filled = matches!(
-        [word(tokens, i), word(tokens, i + 1)],
-        ["full", "of"]
-            | ["covered", "in"]
-            | ["loaded" | "piled" | "stacked" | "packed" | "stuffed" | "stocked" | "covered", "with"]
-    );
-    if !filled || i == 0 {
+    if !is_full_of(tokens, i) || i == 0 {
         return false;
     }
     let after = tokens.get(i + 2..).unwrap_or_default();
@@ -50,7 +71,9 @@ fn full_of(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, i, i + 2, &["with"]);
         return true;
     }
-    let holds = matches!(group(tokens, i - 1), Some(Group::Table | Group::Storage | Group::Top | Group::Floor));
+    let bench = singular(word(tokens, i - 1)) == "bench";
+    let holds =
+        bench || matches!(group(tokens, i - 1), Some(Group::Table | Group::Storage | Group::Top | Group::Floor));
     if holds {
         put(tokens, i, i + 2, &["holding"]);
     }

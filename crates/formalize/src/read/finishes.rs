@@ -85,6 +85,8 @@ fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
         "with" | "has" | "have" | "and" => i + 1,
         _ if is_comma(i) && word(tokens, i + 1) == "and" => i + 2,
         _ if is_comma(i) => i + 1,
+        // "Rubber floor." "A cellar: stone walls, a cauldron."
+        _ if i == 0 || tokens[i - 1].stops() || tokens[i - 1].is(":") => i,
         _ => return None,
     };
     let from = start + usize::from(matches!(word(tokens, start), "a" | "an" | "the"));
@@ -123,7 +125,9 @@ fn finish(tokens: &[Token], i: usize) -> Option<Finish> {
     };
     let says_how = tokens.get(looks.clone()).is_some_and(|looks| looks.iter().any(is_look));
     let is_finish = says_how && (is_surface(noun) || is_tiled(noun)) && ends;
-    is_finish.then_some(Finish { before: i..start, phrase: start..end, looks, noun })
+    // "White walls are required" has a verb.
+    let alone = start > i || tokens.get(end).is_none_or(|t| !t.word());
+    (is_finish && alone).then_some(Finish { before: i..start, phrase: start..end, looks, noun })
 }
 
 /// Whether tiles are on the walls: "wall tiles", and those of which nobody says where they are in a bathroom, or in a room
@@ -161,7 +165,7 @@ fn move_out(tokens: &mut Vec<Token>, finish: &Finish) {
     }
     tokens.splice(end..end, said);
     let goes_on = |i: usize| tokens.get(i).is_some_and(|t| t.kind == WordKind::Sign(',') || t.is("and"));
-    let first = matches!(word(tokens, before.start), "with" | "has" | "have");
+    let first = before.is_empty() || matches!(word(tokens, before.start), "with" | "has" | "have");
     let after = (phrase.end..end).take_while(|i| goes_on(*i)).count();
     match first && after > 0 {
         true => drop(tokens.drain(phrase.start..phrase.end + after)),

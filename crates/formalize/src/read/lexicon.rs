@@ -2,6 +2,8 @@
 
 use super::token::Token;
 use crate::brief::{Group, Rel};
+use scenelang_lang::nouns::Stands;
+use scenelang_lang::roles::role_of;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -57,6 +59,8 @@ pub enum Class {
     Surface,
     Which,
     Person,
+    /// Nouns of the library that are other words as well.
+    Either,
 }
 
 #[derive(Debug)]
@@ -120,6 +124,29 @@ fn keyed<T: Copy>(text: &'static str, keys: &[(&str, T)]) -> BTreeMap<&'static s
         }
     }
     out
+}
+
+/// The nouns of the library of the language, with how they are in rooms.
+fn of_library() -> impl Iterator<Item = (&'static str, Group)> {
+    static NAMES: OnceLock<Vec<String>> = OnceLock::new();
+    let nouns = scenelang_lang::nouns::all();
+    let names = NAMES.get_or_init(|| nouns.iter().map(|noun| noun.name.replace('_', " ")).collect());
+    nouns.iter().zip(names).filter_map(|(noun, name)| {
+        let group = match (role_of(name), noun.stands) {
+            (_, Stands::Opening) => return None,
+            ("seat", _) => Group::Seat,
+            ("bed", _) => Group::Bed,
+            ("table" | "desk" | "counter", _) => Group::Table,
+            ("storage", _) => Group::Storage,
+            (_, Stands::Floor | Stands::Back) => Group::Floor,
+            (_, Stands::Wall) => Group::Wall,
+            (_, Stands::Ceiling) => Group::Ceiling,
+            (_, Stands::Top | Stands::Inside) => Group::Top,
+            (_, Stands::Soft) => Group::Soft,
+            (_, Stands::Flat) => Group::Flat,
+        };
+        Some((name.as_str(), group))
+    })
 }
 
 /// What the groups are called in `nouns.txt`.
@@ -206,7 +233,7 @@ const VERBS: [(&str, Verb); 12] = [
 ];
 
 /// What the classes of words are called in `words.txt`.
-const CLASSES: [(&str, Class); 17] = [
+const CLASSES: [(&str, Class); 18] = [
     ("det", Class::Det),
     ("def", Class::Def),
     ("each", Class::Each),
@@ -224,6 +251,7 @@ const CLASSES: [(&str, Class); 17] = [
     ("surface", Class::Surface),
     ("which", Class::Which),
     ("person", Class::Person),
+    ("either", Class::Either),
 ];
 
 impl Lexicon {
@@ -237,8 +265,19 @@ impl Lexicon {
             }
         }
         let (rooms, kinds) = rooms();
+        let mut nouns = keyed(include_str!("../../data/nouns.txt"), &GROUPS);
+        let own: Vec<&str> = nouns.keys().copied().collect();
+        for (name, group) in of_library() {
+            let last = name.rsplit(' ').next().unwrap_or(name);
+            // What ends in a noun of the reader is read by that; a room is no thing.
+            let is_read = own.binary_search(&last).is_ok() || rooms.contains_key(name);
+            let is_either = words.get(name).is_some_and(|classes| classes.contains(&Class::Either));
+            if !is_read && !is_either {
+                nouns.entry(name).or_insert(group);
+            }
+        }
         Self {
-            nouns: keyed(include_str!("../../data/nouns.txt"), &GROUPS),
+            nouns,
             looks: keyed(include_str!("../../data/looks.txt"), &LOOKS),
             relations: keyed(include_str!("../../data/relations.txt"), &RELATIONS),
             verbs: keyed(include_str!("../../data/verbs.txt"), &VERBS),

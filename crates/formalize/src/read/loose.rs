@@ -282,9 +282,10 @@ fn back_to_back(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// "My office is only 3 x 2.5 metres": it is so large.
 fn only_so_large(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let about = usize::from(matches!(word(tokens, i + 2), "about" | "around" | "roughly" | "some"));
     let is = matches!(word(tokens, i), "is" | "measures") && matches!(word(tokens, i + 1), "only" | "just");
-    let number = tokens.get(i + 2).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
-    let measured = tokens.get(i + 3).is_some_and(|t| {
+    let number = tokens.get(i + 2 + about).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let measured = tokens.get(i + 3 + about).is_some_and(|t| {
         matches!(
             t.text.as_str(),
             "x" | "×" | "by" | "m" | "metres" | "meters" | "square" | "sqm" | "m²" | "feet" | "ft"
@@ -293,7 +294,7 @@ fn only_so_large(tokens: &mut Vec<Token>, i: usize) -> bool {
     if !is || !number || !measured {
         return false;
     }
-    put(tokens, i, i + 2, &["is"]);
+    put(tokens, i, i + 2 + about, &["is"]);
     true
 }
 

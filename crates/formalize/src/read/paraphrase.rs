@@ -11,8 +11,9 @@ pub fn plain(tokens: &mut Vec<Token>) {
     // No text becomes so much longer: whatever rules make of it, reading ends.
     let most = 8 * tokens.len() + 500;
     while i < tokens.len() && tokens.len() < most {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 77] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 78] = [
             super::spelling::plain,
+            super::shorthand::plain,
             super::walkways::plain,
             super::compounds::plain,
             super::activities::plain,

@@ -1,7 +1,8 @@
 //! For how many people a room is: "for eight people", "seating ten guests", "for six".
 
-use super::lexicon::{Class, get};
+use super::lexicon::{Class, get, singular};
 use super::number;
+use super::senses::{Sense, sense};
 use super::token::{Token, WordKind, tokens};
 use crate::brief::{Brief, Number, Room, Thing};
 use std::ops::Range;
@@ -38,23 +39,49 @@ fn people(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
     const GROUPS: [&str; 8] = ["family", "group", "team", "class", "party", "crew", "staff", "household"];
     const MOST: f64 = 120.0;
     const AT_ONE: f64 = 4.0;
-    (0..tokens.len()).filter(|&i| tokens[i].is("for") || tokens[i].is("seating")).find_map(|i| {
-        // "For a family of five", "for a class of twenty".
-        let group = (i + 1..tokens.len().min(i + 5)).find(|k| tokens[*k].is("of"));
-        let of = group.filter(|k| GROUPS.iter().any(|group| tokens[k - 1].is(group)));
-        let first = of.map_or(i, |of| of - 1);
-        let i = of.unwrap_or(i);
-        // "For a family of five" ends there.
-        let (n, words) = match of {
-            Some(_) => number::count(&tokens[i + 1..])?,
-            None => after_for(&tokens[i + 1..])?,
-        };
-        // "Six tables for two" are for twelve.
-        // "Reading tables for twelve", of which nobody says how many: twelve at all of them.
-        let all_of_them = || (n > AT_ONE).then_some(1.0);
-        let tables = if of.is_none() { tables(&tokens[..i]).or_else(all_of_them) } else { Some(1.0) };
-        let all = n * tables?;
-        (n > 1.0 && all <= MOST).then(|| (all as usize, first..i + 1 + words))
+    (0..tokens.len())
+        .filter(|&i| tokens[i].is("for") || tokens[i].is("seating"))
+        .find_map(|i| {
+            // "For a family of five", "for a class of twenty".
+            let group = (i + 1..tokens.len().min(i + 5)).find(|k| tokens[*k].is("of"));
+            let of = group.filter(|k| GROUPS.iter().any(|group| tokens[k - 1].is(group)));
+            let first = of.map_or(i, |of| of - 1);
+            let i = of.unwrap_or(i);
+            // "For a family of five" ends there.
+            let (n, words) = match of {
+                Some(_) => number::count(&tokens[i + 1..])?,
+                None => after_for(&tokens[i + 1..])?,
+            };
+            // "Six tables for two" are for twelve.
+            // "Reading tables for twelve", of which nobody says how many: twelve at all of them.
+            let all_of_them = || (n > AT_ONE).then_some(1.0);
+            let tables = if of.is_none() { tables(&tokens[..i]).or_else(all_of_them) } else { Some(1.0) };
+            let all = n * tables?;
+            (n > 1.0 && all <= MOST).then(|| (all as usize, first..i + 1 + words))
+        })
+        .or_else(|| told(tokens).filter(|(n, _)| *n <= MOST as usize))
+}
+
+/// "Sixteen pupils.", "we are ten people", "fourteen of us this year": so many, where nothing else says for how many.
+fn told(tokens: &[Token]) -> Option<(usize, Range<usize>)> {
+    let begins = |i: usize| {
+        i == 0
+            || !tokens[i - 1].word()
+            || ["are", "is", "we're", "they're", "be"].iter().any(|word| tokens[i - 1].is(word))
+    };
+    (0..tokens.len()).filter(|i| begins(*i)).find_map(|i| {
+        let (n, words) = number::count(&tokens[i..]).filter(|(n, _)| *n > 1.0 && n.fract() == 0.0)?;
+        let end = i + words;
+        let us = tokens.get(end).is_some_and(|t| t.is("of")) && tokens.get(end + 1).is_some_and(|t| t.is("us"));
+        if us {
+            return Some((n as usize, i..end + 2));
+        }
+        let who = &tokens.get(end).filter(|t| t.word())?.text;
+        let is_thing = get().noun(&singular(who)).is_some();
+        let person = get().is(who, Class::Person) || sense(who) == Some(Sense::Person) && !is_thing;
+        // "Two children each" and "two guests' beds" count something else.
+        let alone = tokens.get(end + 1).is_none_or(|t| !t.word() || get().relation(&tokens[end + 1..]).is_none());
+        (person && alone && singular(who) != *who).then_some((n as usize, i..end + 1))
     })
 }
 

@@ -28,12 +28,27 @@ fn bare(tokens: &[Token], from: usize, to: usize) -> bool {
 
 /// "Pallets are banned", "dogs are not allowed": no pallets, no dogs.
 fn banned(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let is_unneeded = |k: usize| matches!(word(tokens, k), "needed" | "necessary" | "required");
+    // "Carpet not needed."
+    if word(tokens, i) == "not" && is_unneeded(i + 1) && ends(tokens, i + 2) {
+        let from = begin(tokens, i);
+        let said = bare(tokens, from, i);
+        if said {
+            put(tokens, i, i + 2, &[]);
+            no(tokens, from);
+        }
+        return said;
+    }
     if !matches!(word(tokens, i), "is" | "are") {
         return false;
     }
     let verb = match word(tokens, i + 1) {
         "banned" | "forbidden" | "prohibited" | "unwanted" => i + 1,
-        "not" if matches!(word(tokens, i + 2), "allowed" | "permitted" | "wanted" | "welcome") => i + 2,
+        "not"
+            if matches!(word(tokens, i + 2), "allowed" | "permitted" | "wanted" | "welcome") || is_unneeded(i + 2) =>
+        {
+            i + 2
+        }
         _ => return false,
     };
     let from = begin(tokens, i);

@@ -179,7 +179,7 @@ fn with_in_corner(tokens: &mut [Token], i: usize) -> bool {
 
 /// "A desk with catalogues next to the entrance", "a table with a lamp by the window": what stands there is the desk, with what is
 /// on it.
-fn with_placed(tokens: &mut [Token], i: usize) -> bool {
+fn with_placed(tokens: &mut Vec<Token>, i: usize) -> bool {
     let group = |k: usize| get().noun(&singular(word(tokens, k)));
     let carrier =
         |group: Option<Group>| matches!(group, Some(Group::Table | Group::Storage | Group::Bed | Group::Floor));
@@ -188,15 +188,28 @@ fn with_placed(tokens: &mut [Token], i: usize) -> bool {
         matches!(kind, Some(Group::Top | Group::Soft | Group::Screen))
             || matches!(name, "lamp" | "catalogue" | "catalog")
     };
-    if i == 0 || word(tokens, i) != "with" || !carrier(group(i - 1)) {
+    let filled = super::contents::is_full_of(tokens, i);
+    let bench = i > 0 && filled && matches!(word(tokens, i - 1), "bench" | "benches");
+    if i == 0 || !(filled || word(tokens, i) == "with") || !(bench || carrier(group(i - 1))) {
         return false;
     }
-    let article = usize::from(matches!(word(tokens, i + 1), "a" | "an" | "some"));
-    let Some(name) = noun(tokens, i + 1 + article) else { return false };
-    let is_one = article == 1 || plural(word(tokens, name.end - 1));
+    let first = i + 1 + usize::from(filled);
+    let counted = super::number::count(&tokens[first.min(tokens.len())..]).map(|(_, used)| used);
+    let article = counted.unwrap_or(usize::from(matches!(word(tokens, first), "a" | "an" | "some")));
+    let Some(name) = noun(tokens, first + article) else { return false };
     let at = name.end;
+    // "A counter with ten stools along the left wall": the counter is there.
+    let bar = matches!(singular(word(tokens, i - 1)).as_str(), "counter" | "bar" | "island" | "worktop");
+    let stools = get().noun(&singular(word(tokens, at - 1))) == Some(Group::Seat);
+    if bar && stools {
+        down_the_side(tokens, at);
+        if let Some(end) = of_room(tokens, at) {
+            tokens[i..end].rotate_left(at - i);
+            return true;
+        }
+    }
     let shown = matches!(singular(word(tokens, i - 1)).as_str(), "plinth" | "pedestal" | "podium" | "sideboard");
-    if let Some(end) = of_room(tokens, at).filter(|_| is_one && (shown || carried(&singular(word(tokens, at - 1))))) {
+    if let Some(end) = of_room(tokens, at).filter(|_| shown || carried(&singular(word(tokens, at - 1)))) {
         tokens[i..end].rotate_left(at - i);
         return true;
     }
@@ -210,7 +223,7 @@ fn with_placed(tokens: &mut [Token], i: usize) -> bool {
     let opening = matches!(word(tokens, next), "entrance" | "door" | "window" | "wall" | "exit");
     let what = noun(tokens, next).or(opening.then_some(next..next + 1));
     let what = what.filter(|_| matches!(word(tokens, at + by), "the" | "a" | "an"));
-    let Some(what) = what.filter(|_| is_one && carried(&singular(word(tokens, at - 1)))) else { return false };
+    let Some(what) = what.filter(|_| carried(&singular(word(tokens, at - 1)))) else { return false };
     // "Books next to the lamp", "cushions against the headboard" are about what is on it.
     let last = singular(word(tokens, what.end - 1));
     if carried(&last) || get().part(&last) || !ends(tokens, what.end) {

@@ -2,6 +2,7 @@
 
 use super::super::chunk::looks;
 use super::super::lexicon::{Class, plural, singular};
+use super::super::senses::{Sense, sense};
 use super::ahead::but_one;
 use super::begin::is_pronoun;
 use super::scan::Scan;
@@ -87,7 +88,11 @@ impl Scan<'_> {
             _ => {
                 let head = np.words.last().cloned().unwrap_or_default();
                 let named = np.words.len() > 1 && self.lexicon.is(&head, Class::Tail);
-                if self.lexicon.is(&head, Class::Abstract) && !named {
+                let is_no_thing = || {
+                    let known = scenelang_lang::library::is_known(&np.words.join(" "));
+                    !known && matches!(sense(&head), Some(Sense::Person | Sense::Abstract))
+                };
+                if !named && (self.lexicon.is(&head, Class::Abstract) || is_no_thing()) {
                     np.kind = NounKind::Abstract;
                 }
             }

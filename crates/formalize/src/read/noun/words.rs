@@ -5,6 +5,7 @@ use super::super::chunk::{add_look, fixed, look_at};
 use super::super::lexicon::{Class, LookWord, plural, singular};
 use super::super::measure::measure;
 use super::super::number;
+use super::super::senses::{Sense, sense};
 use super::super::token::{Token, WordKind};
 use super::ahead::{
     adjective, before_noun, leads_to_noun, leads_to_place, longest_noun, place, room_here, stands_somewhere,
@@ -413,6 +414,11 @@ impl Scan<'_> {
         if self.nouns.is_empty() && adjective(w) && (before_noun(after) || leads_to_noun(after) || unknown_follows()) {
             self.add_look(LookWord::Feature, 1);
             return ScanStep::Go;
+        }
+        // "Two pushed together", "dead bouquets nobody has thrown away": no noun at all.
+        let may_be_noun = !w.ends_with("ed") && !matches!(sense(w), Some(Sense::Verb | Sense::Quality));
+        if !may_be_noun && !room && !before_noun(after) && !unknown_follows() {
+            return ScanStep::Stop;
         }
         // After a known noun in the singular an unknown word may go on only if more of the name follows.
         if self.noun_end > 0 && !(begun || plural(w) || before_noun(after)) {

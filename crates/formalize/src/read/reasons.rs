@@ -1,0 +1,173 @@
+//! Clauses that tell why, when or for whom and ask for nothing: "because a tub won't fit", "before the movers come", "so the
+//! client feels small", "for a segmentation dataset". They are left out, and that is told.
+
+use super::lexicon::{Class, get, singular};
+use super::noun::room_here;
+use super::paraphrase::word;
+use super::senses::{Sense, sense};
+use super::token::{Token, WordKind};
+use crate::brief::Note;
+use std::ops::Range;
+
+/// What makes such a clause a demand all the same: what is needed, seen or passed.
+const ASKS: &[&str] = &[
+    "need",
+    "needs",
+    "want",
+    "wants",
+    "must",
+    "should",
+    "has",
+    "have",
+    "see",
+    "seen",
+    "sees",
+    "watch",
+    "visible",
+    "view",
+    "walk",
+    "pass",
+    "reach",
+    "enter",
+    "entering",
+    "get",
+    "through",
+    "open",
+    "opens",
+    "opened",
+    "sit",
+    "sits",
+    "sitting",
+    "wheelchair",
+    "pram",
+    "space",
+    "room",
+    "access",
+    "share",
+];
+/// The most words of such a clause.
+const LONGEST: usize = 16;
+
+/// Leaves out what asks for nothing, and tells so.
+pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let mut i = 0;
+    while i < tokens.len() {
+        let Some(clause) = clause(tokens, i).or_else(|| purpose(tokens, i)) else {
+            i += 1;
+            continue;
+        };
+        let at = tokens[clause.start].at.start..tokens[clause.end - 1].at.end;
+        notes.push(Note { at, reason: "this says nothing about what is in the room".to_owned() });
+        tokens.drain(clause);
+    }
+    notes
+}
+
+/// Where the clause ends that a token is in.
+fn end(tokens: &[Token], i: usize) -> usize {
+    let sign = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ',' | ';' | ':' | '!' | '?' | ')'));
+    tokens[i..].iter().position(sign).map_or(tokens.len(), |n| i + n)
+}
+
+/// "Because a tub won't fit", "when my parents come over".
+fn clause(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    let said = i..end(tokens, i);
+    let of_reason = matches!(word(tokens, i), "because" | "since" | "although" | "though");
+    let of_time = matches!(word(tokens, i), "when" | "whenever" | "while" | "before" | "after" | "until" | "once");
+    let of_aim = word(tokens, i) == "so" && !matches!(word(tokens, i + 1), "that" | "we" | "i");
+    let who = i + 1;
+    let acts = |at: usize| word(tokens, at).ends_with("ing") && word(tokens, at).len() > 5;
+    let tells = match () {
+        () if of_reason => tokens.get(who).is_some_and(Token::word),
+        () if of_time => somebody(tokens, who).is_some() || acts(who),
+        () if of_aim => somebody(tokens, who).is_some_and(|end| does(tokens, end)),
+        () => false,
+    };
+    let asks = tokens[said.clone()].iter().any(|t| ASKS.contains(&t.text.as_str()) || turns(t));
+    let asks = asks || (i..said.end).any(|k| word(tokens, k) == "come" && word(tokens, k + 1) == "in");
+    (tells && said.len() > 2 && said.len() <= LONGEST && !asks).then_some(said)
+}
+
+/// Numbers belong to demands.
+fn turns(t: &Token) -> bool {
+    matches!(t.kind, WordKind::Number(_)) || super::number::unit(&t.text).is_some()
+}
+
+/// "They", "my parents", "the movers": where the words for somebody end.
+fn somebody(tokens: &[Token], i: usize) -> Option<usize> {
+    if matches!(word(tokens, i), "i" | "we" | "he" | "she" | "they" | "people" | "everyone" | "everybody" | "nobody") {
+        return Some(i + 1);
+    }
+    let lexicon = get();
+    let the = lexicon.is(word(tokens, i), Class::Def) || lexicon.is(word(tokens, i), Class::Det);
+    let person = |k: usize| {
+        let who = word(tokens, k);
+        let one = singular(who);
+        let known = || lexicon.noun(&one).is_some();
+        lexicon.is(who, Class::Person)
+            || lexicon.is(&one, Class::Person)
+            || sense(who) == Some(Sense::Person) && !known()
+    };
+    (i + usize::from(the)..i + 3).find(|k| person(*k)).map(|k| k + 1)
+}
+
+/// Whether a verb comes that the reader does not have: "feels", "can watch".
+fn does(tokens: &[Token], i: usize) -> bool {
+    let verb = word(tokens, i);
+    matches!(verb, "can" | "could" | "will" | "feels" | "feel" | "know" | "knows" | "do" | "does")
+        || sense(&singular(verb)) == Some(Sense::Verb)
+}
+
+/// "A dorm room for a segmentation dataset", "an office of a think tank": what a room is for, in words that no table has.
+fn purpose(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const MOST: usize = 4;
+    let after_room = (1..=3).any(|n| i >= n && room_here(&tokens[i - n..i]) == Some(n));
+    let article = matches!(word(tokens, i + 1), "a" | "an" | "the" | "my" | "our");
+    if !matches!(word(tokens, i), "for" | "of") || !after_room || !article {
+        return None;
+    }
+    let stops = |k: &usize| {
+        let w = word(tokens, *k);
+        w.is_empty()
+            || matches!(w, "with" | "and" | "where" | "in" | "that" | "which")
+            || get().relation(&tokens[*k..]).is_some()
+    };
+    let end = (i + 2..=i + 2 + MOST).find(stops)?;
+    let known = |k: usize| {
+        let one = singular(word(tokens, k));
+        get().known(word(tokens, k)) || scenelang_lang::nouns::noun(&one).is_some() || get().room(&one).is_some()
+    };
+    let lost = end > i + 2 && !known(end - 1) && (i + 2..end).all(|k| !known(k) || get().is_look(word(tokens, k)));
+    lost.then_some(i..end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::token::tokens;
+    use super::*;
+
+    #[test]
+    fn reasons_times_and_aims_are_left_out() {
+        for (text, left, notes) in [
+            ("a bathroom with a shower because a tub won't fit, and a bin", "a bathroom with a shower , and a bin", 1),
+            ("no cabinets, since all files are held centrally.", "no cabinets , .", 1),
+            ("a bedroom planned before the movers come. a bed", "a bedroom planned . a bed", 1),
+            ("try a layout before moving anything heavy: a till", "try a layout : a till", 1),
+            ("one stool lower so the client feels small; a stove", "one stool lower ; a stove", 1),
+            ("a table when my parents stay over, a lamp", "a table , a lamp", 1),
+            ("a dorm room for a segmentation dataset: a bed", "a dorm room : a bed", 1),
+            ("a desk so you can see the door", "a desk so you can see the door", 0),
+            ("hooks when you come in", "hooks when you come in", 0),
+            ("a garage for one car", "a garage for one car", 0),
+            ("a room for a piano", "a room for a piano", 0),
+            ("paths of 1 m because she uses a wheelchair", "paths of 1 m because she uses a wheelchair", 0),
+            ("so eight benches", "so eight benches", 0),
+        ] {
+            let mut tokens = tokens(text, 100).0;
+            let found = lift(&mut tokens).len();
+            let rest: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!((rest.join(" ").as_str(), found), (left, notes), "{text}");
+        }
+    }
+}

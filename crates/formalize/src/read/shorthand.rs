@@ -1,0 +1,137 @@
+//! Words that people leave out or put in the place of others: "5 on 4 m" is 5 by 4 m, "a nightstand between" is between what was
+//! named before, and "six desks, two rows of three" stand in two rows of three.
+
+use super::lexicon::{LookWord, get, singular};
+use super::number::{count, unit};
+use super::paraphrase::{ends, put, word};
+use super::shares::noun;
+use super::token::{Token, WordKind};
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] =
+        [on_for_by, made_from, between_them, rows_after, kept_apart, open_kitchen];
+    turns.iter().any(|turn| turn(tokens, i))
+}
+
+fn is_number(tokens: &[Token], i: usize) -> bool {
+    tokens.get(i).is_some_and(|t| matches!(t.kind, WordKind::Number(_)))
+}
+
+/// "A living room of 5 on 4 metres": 5 by 4.
+fn on_for_by(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let unit = (i + 2..i + 4).find(|k| !is_number(tokens, *k)).is_some_and(|k| unit(word(tokens, k)).is_some());
+    let said = word(tokens, i) == "on" && i > 0 && is_number(tokens, i - 1) && is_number(tokens, i + 1) && unit;
+    if said {
+        put(tokens, i, i + 1, &["by"]);
+        if i > 1 && word(tokens, i - 2) == "of" {
+            tokens.remove(i - 2);
+        }
+    }
+    said
+}
+
+/// "A table from glass": of glass.
+fn made_from(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let material = get().look(word(tokens, i + 1)) == Some(LookWord::Material);
+    let said = word(tokens, i) == "from" && material && i > 0 && noun_before(tokens, i) && ends(tokens, i + 2);
+    if said {
+        put(tokens, i, i + 1, &["of"]);
+    }
+    said
+}
+
+fn noun_before(tokens: &[Token], i: usize) -> bool {
+    (i.saturating_sub(3)..i).any(|k| noun(tokens, k).is_some_and(|name| name.end == i))
+}
+
+/// "Twin beds, a nightstand between", "between them a low table": between these.
+fn between_them(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "between" && i > 0 && noun_before(tokens, i) && ends(tokens, i + 1);
+    if said {
+        put(tokens, i, i + 1, &["between", "them"]);
+    }
+    said
+}
+
+/// "Six desks, two rows of three": six desks in two rows of three.
+fn rows_after(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !tokens[i].is(",") {
+        return false;
+    }
+    let Some((rows, used)) = tokens.get(i + 1..).and_then(count) else { return false };
+    let of = i + 1 + used;
+    if !matches!(word(tokens, of), "rows" | "row" | "lines" | "columns") || word(tokens, of + 1) != "of" {
+        return false;
+    }
+    let Some((each, more)) = tokens.get(of + 2..).and_then(count) else { return false };
+    let end = of + 2 + more;
+    let sentence = tokens[..i].iter().rposition(Token::stops).map_or(0, |k| k + 1);
+    let all = |k: &usize| count(&tokens[*k..i]).filter(|(n, _)| *n == rows * each).map(|(_, used)| *k + used);
+    let things = (sentence..i).find_map(|k| all(&k)).and_then(|after| {
+        let adjectives = (after..after + 3).find_map(|k| noun(tokens, k));
+        adjectives.map(|name| name.end)
+    });
+    let Some(things) = things.filter(|end_of| *end_of <= i && ends(tokens, end)) else { return false };
+    let said: Vec<Token> = tokens.drain(i..end).skip(1).collect();
+    let like = said[0].saying("in");
+    tokens.splice(things..things, std::iter::once(like).chain(said));
+    true
+}
+
+/// "Keep the cat side and the dog side apart with a low partition": a low partition.
+fn kept_apart(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 14;
+    let begins = i == 0 || !tokens[i - 1].word() || matches!(word(tokens, i - 1), "but" | "and" | "please");
+    if !matches!(word(tokens, i), "keep" | "separate") || !begins {
+        return false;
+    }
+    let within = (i + 1..i + FAR).take_while(|k| tokens.get(*k).is_some_and(Token::word));
+    let by = |k: &usize| matches!(word(tokens, *k), "with" | "by") && matches!(word(tokens, k + 1), "a" | "an");
+    let Some(by) = within.into_iter().find(by) else { return false };
+    let apart = word(tokens, by - 1) == "apart" || word(tokens, i) == "separate";
+    // Where the two are things, they have a place each.
+    let things = (i + 1..by).any(|k| get().noun(&singular(word(tokens, k))).is_some());
+    if !apart || things || (by + 2..by + 4).all(|k| noun(tokens, k).is_none()) {
+        return false;
+    }
+    let from = i - usize::from(i > 0 && word(tokens, i - 1) == "but");
+    put(tokens, by, by + 1, &["and"]);
+    tokens.drain(from..by);
+    true
+}
+
+/// "A living room with open kitchen": with an open kitchen.
+fn open_kitchen(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "with" && word(tokens, i + 1) == "open" && word(tokens, i + 2) == "kitchen";
+    if said {
+        put(tokens, i, i + 1, &["with", "an"]);
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::paraphrase::plainly;
+
+    #[test]
+    fn what_is_left_out_is_added() {
+        for (text, becomes) in [
+            ("a living room of 5 on 4 metres", "a living room 5 by 4 metres"),
+            ("a lamp on 4 metres", "a lamp on 4 metres"),
+            ("a low table from glass, a sofa", "a low table of glass , a sofa"),
+            ("a path from glass doors", "a path from glass doors"),
+            ("twin beds, a nightstand between.", "twin beds , a nightstand between them ."),
+            ("a nightstand between the beds", "a nightstand between the beds"),
+            ("six desks, two rows of three.", "six desks in two rows of three ."),
+            ("seven desks, two rows of three.", "seven desks , two rows of three ."),
+            (
+                "chairs, but keep the cat side and the dog side apart with a low partition",
+                "chairs , and a low partition",
+            ),
+            ("keep the bed and the desk apart", "keep the bed and the desk apart"),
+        ] {
+            assert_eq!(plainly(text), becomes);
+        }
+    }
+}
