@@ -547,9 +547,13 @@ fn every_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let one: Vec<String> = tokens[name.clone()].iter().map(|t| singular(&t.text)).collect();
-    let mut words: Vec<String> = vec!["four".to_owned()];
+    // Shelves and cabinets line the walls: two on each.
+    let lines = get().noun(&singular(word(tokens, name.end - 1))) == Some(Group::Storage);
+    let mut words: Vec<String> = vec![if lines { "eight" } else { "four" }.to_owned()];
     words.extend(tokens[name.clone()].iter().map(|t| t.text.clone()));
-    for (nth, wall) in [("first", "left"), ("second", "right"), ("third", "back"), ("fourth", "front")] {
+    const NTH: [&str; 8] = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
+    let walls = ["left", "right", "back", "front"].into_iter().cycle();
+    for (nth, wall) in NTH.into_iter().zip(walls).take(if lines { 8 } else { 4 }) {
         words.extend([".", "the", nth].map(str::to_owned));
         words.extend(one.iter().cloned());
         words.extend(["stands", "against", "the", wall, "wall"].map(str::to_owned));
@@ -634,8 +638,11 @@ mod tests {
             ("windows along one long side.", "windows along one long wall ."),
             (
                 "shelves on every wall, a cart",
-                "four shelves . the first shelf stands against the left wall . the second shelf stands against the right wall . \
-                 the third shelf stands against the back wall . the fourth shelf stands against the front wall . a cart",
+                "eight shelves . the first shelf stands against the left wall . the second shelf stands against \
+                 the right wall . the third shelf stands against the back wall . the fourth shelf stands against \
+                 the front wall . the fifth shelf stands against the left wall . the sixth shelf stands against \
+                 the right wall . the seventh shelf stands against the back wall . the eighth shelf stands \
+                 against the front wall . a cart",
             ),
             ("coat pegs by the door", "a coat hook rail by the door"),
             ("a narrow bed, straw beds", "a single bed , single beds"),

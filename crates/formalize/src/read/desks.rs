@@ -58,12 +58,30 @@ fn in_groups(tokens: &mut Vec<Token>, i: usize) -> bool {
 fn teaching(tokens: &mut Vec<Token>, i: usize) -> bool {
     const NAMED: [&str; 6] = ["classroom", "class", "room", "studio", "lab", "hall"];
     let teach = i == 0 && matches!([word(tokens, 0), word(tokens, 1)], ["i" | "we", "teach"]);
+    if teach && word(tokens, 2) != "in" && taught(tokens) {
+        return true;
+    }
     if !teach || tokens.iter().any(|t| NAMED.contains(&t.text.as_str())) {
         return false;
     }
     let ends = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | '!' | ','));
     let end = tokens.iter().position(ends).unwrap_or(tokens.len());
     put(tokens, 0, end, &["a", "classroom"]);
+    true
+}
+
+/// "I teach woodwork. The room is 11 m by 7": that room is a workshop.
+fn taught(tokens: &mut Vec<Token>) -> bool {
+    let kind = match word(tokens, 2) {
+        "woodwork" | "metalwork" | "carpentry" | "joinery" | "technology" => "workshop",
+        "chemistry" | "physics" | "biology" | "science" => "laboratory",
+        "art" | "painting" | "pottery" | "ceramics" | "drawing" => "art room",
+        "music" => "music room",
+        _ => "classroom",
+    };
+    let is_room = |k: &usize| word(tokens, *k) == "room" && matches!(word(tokens, k + 1), "is" | "measures" | "has");
+    let Some(at) = (3..tokens.len()).find(is_room) else { return false };
+    put(tokens, at, at + 1, &kind.split(' ').collect::<Vec<_>>());
     true
 }
 
@@ -113,8 +131,16 @@ fn in_pairs(tokens: &mut Vec<Token>, i: usize) -> bool {
     let pupils = i > 0 && matches!(word(tokens, i - 1), "pupils" | "students" | "children" | "kids");
     if said && pupils {
         put(tokens, i, i + who + 3, &["with", "double", "desks"]);
+        return true;
     }
-    said && pupils
+    // "A classroom, 20 pupils, desks in pairs".
+    let pairs = word(tokens, i) == "desks" && word(tokens, i + 1) == "in" && word(tokens, i + 2) == "pairs";
+    let counted = i > 0 && count(&tokens[i - 1..i]).is_some();
+    let taught = tokens.iter().any(|t| ["pupils", "students", "children", "kids"].iter().any(|who| t.is(who)));
+    if pairs && taught && !counted {
+        put(tokens, i, i + 3, &["double", "desks"]);
+    }
+    pairs && taught && !counted
 }
 
 /// "The desks are for two children each": double desks.

@@ -5,6 +5,7 @@ use super::lexicon::{get, plural, singular};
 use super::number::count;
 use super::paraphrase::{put, word};
 use super::token::{Token, WordKind};
+use crate::brief::Group;
 
 /// What is kept, and in what.
 const STORAGE: [(&[&str], &[&str]); 9] = [
@@ -190,6 +191,16 @@ fn partners(tokens: &mut Vec<Token>, i: usize) -> bool {
     let digits = (n as usize).to_string();
     let comma = usize::from(tokens.get(noun + 1).is_some_and(|t| t.is(",")));
     let each = noun + 1 + comma;
+    // "Two chairs, mirrors facing them": each chair is in front of a mirror.
+    let seats = get().noun(&singular(word(tokens, noun))) == Some(Group::Seat);
+    if seats && comma == 1 && word(tokens, each) == "mirrors" && word(tokens, each + 1) == "facing" {
+        let them = each + 2 + usize::from(word(tokens, each + 2) == "the");
+        if word(tokens, them) == "them" || word(tokens, them) == word(tokens, noun) {
+            put(tokens, noun + 1, them + 1, &["in", "front", "of", &digits, "mirrors"]);
+            tokens[noun + 4].kind = WordKind::Number(n);
+            return true;
+        }
+    }
     let relation = |from: usize| match [word(tokens, from), word(tokens, from + 1), word(tokens, from + 2)] {
         ["in", "front", "of"] => Some(from + 3),
         ["facing" | "on" | "under" | "behind", ..] => Some(from + 1),

@@ -269,8 +269,9 @@ impl Lexicon {
         let own: Vec<&str> = nouns.keys().copied().collect();
         for (name, group) in of_library() {
             let last = name.rsplit(' ').next().unwrap_or(name);
-            // What ends in a noun of the reader is read by that; a room is no thing.
-            let is_read = own.binary_search(&last).is_ok() || rooms.contains_key(name);
+            // What ends in a noun of the reader is read by that, unless it has another place ("a grab rail"); a room is no thing.
+            let hangs = matches!(group, Group::Wall | Group::Ceiling) && nouns.get(last) == Some(&Group::Floor);
+            let is_read = own.binary_search(&last).is_ok() && !hangs || rooms.contains_key(name);
             let is_either = words.get(name).is_some_and(|classes| classes.contains(&Class::Either));
             if !is_read && !is_either {
                 nouns.entry(name).or_insert(group);

@@ -21,7 +21,10 @@ pub(super) fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
         _ => None,
     };
     if let Some(end) = mirrors {
-        put(tokens, i, end, &["three", "gym", "mirrors"]);
+        // "Three treadmills facing the mirror wall": they look straight at that wall.
+        let faced = i > 0 && word(tokens, i - 1) == "facing" && ends(tokens, end);
+        let wall = ["the", "back", "wall", "and", "three", "gym", "mirrors", "on", "the", "back", "wall"];
+        put(tokens, i, end, if faced { &wall } else { &wall[4..7] });
         return true;
     }
     let wine = match [word(tokens, first), word(tokens, first + 1), word(tokens, first + 2)] {
@@ -645,7 +648,10 @@ pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
     if end > i + 5 || PASSED.contains(&divider.as_str()) {
         return false;
     }
-    put(tokens, end - 1, end, &[&divider, "between", "them"]);
+    // A curtain between two beds hangs from no wall.
+    let kind = if divider == "curtain" { "privacy curtain" } else { divider.as_str() };
+    let said: Vec<&str> = kind.split(' ').chain(["between", "them"]).collect();
+    put(tokens, end - 1, end, &said);
     put(tokens, i, i + 2, &["with"]);
     true
 }
@@ -779,7 +785,7 @@ mod tests {
             ("a lobby with a desk and seating", "a lobby with a desk and a seating area"),
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
             ("a hall seating twenty people", "a hall for twenty people"),
-            ("two beds separated by a curtain and a lamp", "two beds with a curtain between them and a lamp"),
+            ("two beds separated by a curtain and a lamp", "two beds with a privacy curtain between them and a lamp"),
             ("a dental practice with two treatment rooms", "a dental practice with two dental treatment rooms"),
             ("a room with ten chairs with tables", "a room with ten chairs and tables"),
             ("a small waiting room in a clinic with a desk", "a small clinic waiting room with a desk"),

@@ -48,20 +48,92 @@ const ASKS: &[&str] = &[
 /// The most words of such a clause.
 const LONGEST: usize = 16;
 
+const BESIDE: &str = "this says nothing about what is in the room";
+
 /// Leaves out what asks for nothing, and tells so.
 pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
     let mut notes = Vec::new();
     let mut i = 0;
     while i < tokens.len() {
-        let Some(clause) = clause(tokens, i).or_else(|| purpose(tokens, i)) else {
+        let beside = clause(tokens, i).or_else(|| purpose(tokens, i)).or_else(|| news(tokens, i));
+        let beside = beside.or_else(|| see_if(tokens, i)).map(|clause| (clause, BESIDE));
+        let found = beside
+            .or_else(|| Some((bare_wall(tokens, i)?, "no statement keeps a part of a wall empty")))
+            .or_else(|| Some((kept_apart(tokens, i)?, "no statement says what a partition keeps apart")));
+        let Some((clause, reason)) = found else {
             i += 1;
             continue;
         };
         let at = tokens[clause.start].at.start..tokens[clause.end - 1].at.end;
-        notes.push(Note { at, reason: "this says nothing about what is in the room".to_owned() });
+        notes.push(Note { at, reason: reason.to_owned() });
+        // "Keep … apart with a partition" is a partition all the same.
+        if matches!(word(tokens, clause.end), "with" | "by") {
+            tokens[clause.end].text = "and".to_owned();
+        }
         tokens.drain(clause);
     }
     notes
+}
+
+/// "We're having a baby and our flat is 52 m²": all before the flat.
+fn news(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    let begins = i == 0 || tokens[i - 1].stops();
+    let who =
+        matches!(word(tokens, i), "i" | "we" | "he" | "she" | "they" | "i'm" | "we're" | "they're" | "she's" | "he's");
+    let told = i + 1..end(tokens, i);
+    let and =
+        told.clone().find(|k| word(tokens, *k) == "and" && matches!(word(tokens, k + 1), "my" | "our" | "the"))?;
+    let home = |k: usize| super::several::is_home(word(tokens, k)) || room_here(&tokens[k..]).is_some();
+    let is_said = home(and + 2) && matches!(word(tokens, and + 3), "is" | "has" | "measures");
+    let asks = (i..and).any(|k| ASKS.contains(&word(tokens, k)) || home(k) || turns(&tokens[k]));
+    (begins && who && is_said && !asks).then_some(i..and + 1)
+}
+
+/// "So I want to see if this is crazy or not".
+fn see_if(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const FAR: usize = 8;
+    let so = usize::from(word(tokens, i) == "so");
+    let begins = so == 1 || i == 0 || !tokens[i - 1].word();
+    let who = begins && matches!(word(tokens, i + so), "i" | "we");
+    let asks = |k: &usize| {
+        matches!(word(tokens, *k), "see" | "know" | "check" | "find" | "wonder" | "wondering")
+            && (k + 1..k + 3).any(|k| matches!(word(tokens, k), "if" | "whether"))
+    };
+    let seen = (i + so + 1..i + so + FAR).take_while(|k| tokens.get(*k).is_some_and(Token::word)).find(asks);
+    let said = i..end(tokens, i);
+    let things = || said.clone().any(|k| get().noun(&singular(word(tokens, k))).is_some() || turns(&tokens[k]));
+    (who && seen.is_some() && !things()).then(|| said.clone())
+}
+
+/// "And please leave the wall beneath the window empty".
+fn bare_wall(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const FAR: usize = 12;
+    let from = i + usize::from(word(tokens, i) == "and");
+    let from = from + usize::from(word(tokens, from) == "please");
+    let said = matches!(word(tokens, from), "leave" | "keep")
+        && word(tokens, from + 1) == "the"
+        && word(tokens, from + 2) == "wall";
+    let mut within = (from + 3..from + FAR).take_while(|k| tokens.get(*k).is_some_and(Token::word));
+    let bare = |k: &usize| matches!(word(tokens, *k), "empty" | "free" | "clear" | "bare" | "unobstructed");
+    within.find(bare).filter(|_| said).map(|end| i..end + 1)
+}
+
+/// "But keep the cat side and the dog side apart with a low partition": all before the partition.
+fn kept_apart(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const FAR: usize = 14;
+    let from = i + usize::from(word(tokens, i) == "but");
+    let begins = from > i || i == 0 || !tokens[i - 1].word() || word(tokens, i - 1) == "please";
+    if !matches!(word(tokens, from), "keep" | "separate") || !begins {
+        return None;
+    }
+    let mut within = (from + 1..from + FAR).take_while(|k| tokens.get(*k).is_some_and(Token::word));
+    let by = |k: &usize| matches!(word(tokens, *k), "with" | "by") && matches!(word(tokens, k + 1), "a" | "an");
+    let by = within.find(by)?;
+    let apart = word(tokens, by - 1) == "apart" || word(tokens, from) == "separate";
+    // Where the two are things, they have a place each.
+    let things = (from + 1..by).any(|k| get().noun(&singular(word(tokens, k))).is_some());
+    let divider = (by + 2..by + 5).any(|k| get().noun(&singular(word(tokens, k))).is_some());
+    (apart && !things && divider).then_some(i..by)
 }
 
 /// Where the clause ends that a token is in.
@@ -157,6 +229,23 @@ mod tests {
             ("one stool lower so the client feels small; a stove", "one stool lower ; a stove", 1),
             ("a table when my parents stay over, a lamp", "a table , a lamp", 1),
             ("a dorm room for a segmentation dataset: a bed", "a dorm room : a bed", 1),
+            (
+                "chairs, but keep the cat side and the dog side apart with a low partition",
+                "chairs , and a low partition",
+                1,
+            ),
+            ("keep the bed and the desk apart", "keep the bed and the desk apart", 0),
+            (
+                "the table is round, and please leave the wall beneath the living room window empty, a radiator",
+                "the table is round , , a radiator",
+                1,
+            ),
+            (
+                "we're having a baby in April and our flat is only 52 m², so I want to see if this is crazy.",
+                "our flat is only 52 m ² , .",
+                2,
+            ),
+            ("I want to see if a piano fits", "I want to see if a piano fits", 0),
             ("a desk so you can see the door", "a desk so you can see the door", 0),
             ("hooks when you come in", "hooks when you come in", 0),
             ("a garage for one car", "a garage for one car", 0),

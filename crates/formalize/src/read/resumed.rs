@@ -1,7 +1,7 @@
 //! A subject that is taken up again: in "a bed with a pillow and a quilt stands against the wall" the bed stands there, and in
 //! "a lamp, a chair and a desk along the wall" all three do.
 
-use super::lexicon::{Verb, get};
+use super::lexicon::{Verb, get, plural};
 use super::noun::{NounKind, noun_phrase};
 use super::paraphrase::put;
 use super::paraphrase::word;
@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if on_which(tokens, i) || list_stands(tokens, i) || another(tokens, i) {
+    if on_which(tokens, i) || list_stands(tokens, i) || another(tokens, i) || pair(tokens, i) {
         return true;
     }
     let begins = |t: &Token| matches!(t.kind, WordKind::Line | WordKind::Sign('.' | ';' | ':'));
@@ -146,6 +146,24 @@ fn carrier(tokens: &mut Vec<Token>, i: usize) -> bool {
         put(tokens, name, first, &["with"]);
     }
     true
+}
+
+/// "Boots and orange parkas by the door": both are there.
+fn pair(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let begins = i == 0 || !tokens[i - 1].word();
+    let bare = |k: usize| {
+        let looks = tokens.iter().skip(k).take(3).take_while(|t| get().is_look(&t.text)).count();
+        super::shares::noun(tokens, k + looks).filter(|name| plural(word(tokens, name.end - 1))).map(|name| name.end)
+    };
+    let Some(and) = bare(i).filter(|and| begins && word(tokens, *and) == "and") else { return false };
+    let Some(end) = bare(and + 1) else { return false };
+    let by = matches!(word(tokens, end), "by" | "beside" | "near" | "next");
+    if by && matches!(word(tokens, end + 1), "the" | "to") {
+        let like = tokens[end - 1].saying("stand");
+        tokens.insert(end, like);
+        return true;
+    }
+    false
 }
 
 /// "A desk and a chair along the wall": both stand there.

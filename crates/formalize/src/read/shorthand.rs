@@ -9,8 +9,7 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 6] =
-        [on_for_by, made_from, between_them, rows_after, kept_apart, open_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 5] = [on_for_by, made_from, between_them, rows_after, open_kitchen];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -79,28 +78,6 @@ fn rows_after(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "Keep the cat side and the dog side apart with a low partition": a low partition.
-fn kept_apart(tokens: &mut Vec<Token>, i: usize) -> bool {
-    const FAR: usize = 14;
-    let begins = i == 0 || !tokens[i - 1].word() || matches!(word(tokens, i - 1), "but" | "and" | "please");
-    if !matches!(word(tokens, i), "keep" | "separate") || !begins {
-        return false;
-    }
-    let within = (i + 1..i + FAR).take_while(|k| tokens.get(*k).is_some_and(Token::word));
-    let by = |k: &usize| matches!(word(tokens, *k), "with" | "by") && matches!(word(tokens, k + 1), "a" | "an");
-    let Some(by) = within.into_iter().find(by) else { return false };
-    let apart = word(tokens, by - 1) == "apart" || word(tokens, i) == "separate";
-    // Where the two are things, they have a place each.
-    let things = (i + 1..by).any(|k| get().noun(&singular(word(tokens, k))).is_some());
-    if !apart || things || (by + 2..by + 4).all(|k| noun(tokens, k).is_none()) {
-        return false;
-    }
-    let from = i - usize::from(i > 0 && word(tokens, i - 1) == "but");
-    put(tokens, by, by + 1, &["and"]);
-    tokens.drain(from..by);
-    true
-}
-
 /// "A living room with open kitchen": with an open kitchen.
 fn open_kitchen(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = word(tokens, i) == "with" && word(tokens, i + 1) == "open" && word(tokens, i + 2) == "kitchen";
@@ -125,11 +102,6 @@ mod tests {
             ("a nightstand between the beds", "a nightstand between the beds"),
             ("six desks, two rows of three.", "six desks in two rows of three ."),
             ("seven desks, two rows of three.", "seven desks , two rows of three ."),
-            (
-                "chairs, but keep the cat side and the dog side apart with a low partition",
-                "chairs , and a low partition",
-            ),
-            ("keep the bed and the desk apart", "keep the bed and the desk apart"),
         ] {
             assert_eq!(plainly(text), becomes);
         }

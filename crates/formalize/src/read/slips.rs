@@ -11,6 +11,24 @@ const SHORT: usize = 5;
 /// From this length on, a letter may be missing or too many.
 const LONG: usize = 7;
 
+/// Words of places, which are misspelt as often.
+const PLACES: [&str; 14] = [
+    "underneath",
+    "beneath",
+    "opposite",
+    "between",
+    "against",
+    "behind",
+    "beside",
+    "corner",
+    "window",
+    "ceiling",
+    "bathroom",
+    "bedroom",
+    "kitchen",
+    "entrance",
+];
+
 /// Corrects what is misspelt.
 pub fn correct(tokens: &mut [Token]) {
     for token in tokens.iter_mut().filter(|token| token.word() && !token.owner) {
@@ -28,7 +46,7 @@ fn meant(word: &str) -> Option<String> {
         return None;
     }
     let single = nouns::all().iter().map(|noun| noun.name).filter(|name| !name.contains(['_', ' ']));
-    let mut fits = single.filter(|name| is_slip(&one, name));
+    let mut fits = single.chain(PLACES).filter(|name| is_slip(&one, name));
     let (first, second) = (fits.next()?, fits.next());
     let found = if plural(word) { nouns::plural(first) } else { first.to_owned() };
     second.is_none().then_some(found)

@@ -177,60 +177,64 @@ fn with_in_corner(tokens: &mut [Token], i: usize) -> bool {
     true
 }
 
-/// "A desk with catalogues next to the entrance", "a table with a lamp by the window": what stands there is the desk, with what is
-/// on it.
+/// "A desk with catalogues next to the entrance", "a table with a lamp by the window", "a bench crowded with bottles along the back
+/// wall": what stands there is the desk, the table and the bench, with what is on it.
 fn with_placed(tokens: &mut Vec<Token>, i: usize) -> bool {
     let group = |k: usize| get().noun(&singular(word(tokens, k)));
-    let carrier =
-        |group: Option<Group>| matches!(group, Some(Group::Table | Group::Storage | Group::Bed | Group::Floor));
-    let carried = |name: &str| {
-        let kind = get().noun(name);
-        matches!(kind, Some(Group::Top | Group::Soft | Group::Screen))
-            || matches!(name, "lamp" | "catalogue" | "catalog")
-    };
-    let filled = super::contents::is_full_of(tokens, i);
-    let bench = i > 0 && filled && matches!(word(tokens, i - 1), "bench" | "benches");
-    if i == 0 || !(filled || word(tokens, i) == "with") || !(bench || carrier(group(i - 1))) {
+    let filled = usize::from(super::contents::is_full_of(tokens, i));
+    if i == 0 || filled == 0 && word(tokens, i) != "with" {
         return false;
     }
-    let first = i + 1 + usize::from(filled);
+    let whose = singular(word(tokens, i - 1));
+    let carrier = matches!(group(i - 1), Some(Group::Table | Group::Storage | Group::Bed | Group::Floor));
+    if !carrier && !(filled == 1 && whose == "bench") {
+        return false;
+    }
+    let first = i + 1 + filled;
     let counted = super::number::count(&tokens[first.min(tokens.len())..]).map(|(_, used)| used);
     let article = counted.unwrap_or(usize::from(matches!(word(tokens, first), "a" | "an" | "some")));
     let Some(name) = noun(tokens, first + article) else { return false };
     let at = name.end;
+    let named = singular(word(tokens, at - 1));
     // "A counter with ten stools along the left wall": the counter is there.
-    let bar = matches!(singular(word(tokens, i - 1)).as_str(), "counter" | "bar" | "island" | "worktop");
-    let stools = get().noun(&singular(word(tokens, at - 1))) == Some(Group::Seat);
-    if bar && stools {
+    let bar = matches!(whose.as_str(), "counter" | "bar" | "island" | "worktop");
+    if bar && get().noun(&named) == Some(Group::Seat) {
         down_the_side(tokens, at);
-        if let Some(end) = of_room(tokens, at) {
+        return of_room(tokens, at).is_some_and(|end| {
             tokens[i..end].rotate_left(at - i);
-            return true;
-        }
+            true
+        });
     }
-    let shown = matches!(singular(word(tokens, i - 1)).as_str(), "plinth" | "pedestal" | "podium" | "sideboard");
-    if let Some(end) = of_room(tokens, at).filter(|_| shown || carried(&singular(word(tokens, at - 1)))) {
-        tokens[i..end].rotate_left(at - i);
-        return true;
+    let shown = matches!(whose.as_str(), "plinth" | "pedestal" | "podium" | "sideboard");
+    let place = of_room(tokens, at).filter(|_| shown || is_carried(&named));
+    let Some(end) = place.or_else(|| by_something(tokens, at).filter(|_| is_carried(&named))) else { return false };
+    if filled == 1 {
+        put(tokens, i, first, &["with"]);
     }
+    tokens[i..end - filled].rotate_left(at - filled - i);
+    true
+}
+
+/// Whether a thing is usually on another.
+fn is_carried(name: &str) -> bool {
+    matches!(get().noun(name), Some(Group::Top | Group::Soft | Group::Screen))
+        || matches!(name, "lamp" | "catalogue" | "catalog")
+}
+
+/// Where "next to the entrance" ends. "Books next to the lamp", "cushions against the headboard" are about what is on it.
+fn by_something(tokens: &[Token], at: usize) -> Option<usize> {
     let by = match [word(tokens, at), word(tokens, at + 1), word(tokens, at + 2)] {
         ["next", "to", _] => 2,
         ["in", "front", "of"] => 3,
         ["near" | "beside" | "by" | "under" | "opposite" | "against" | "along" | "behind", _, _] => 1,
-        _ => return false,
+        _ => return None,
     };
     let next = at + by + 1;
     let opening = matches!(word(tokens, next), "entrance" | "door" | "window" | "wall" | "exit");
     let what = noun(tokens, next).or(opening.then_some(next..next + 1));
-    let what = what.filter(|_| matches!(word(tokens, at + by), "the" | "a" | "an"));
-    let Some(what) = what.filter(|_| carried(&singular(word(tokens, at - 1)))) else { return false };
-    // "Books next to the lamp", "cushions against the headboard" are about what is on it.
+    let what = what.filter(|_| matches!(word(tokens, at + by), "the" | "a" | "an"))?;
     let last = singular(word(tokens, what.end - 1));
-    if carried(&last) || get().part(&last) || !ends(tokens, what.end) {
-        return false;
-    }
-    tokens[i..what.end].rotate_left(at - i);
-    true
+    (!is_carried(&last) && !get().part(&last) && ends(tokens, what.end)).then_some(what.end)
 }
 
 /// Where a place in the room ends that begins here: "on the opposite wall", "in the middle", "in the centre of the room".

@@ -1,6 +1,18 @@
 //! Noun phrases and the things of a brief: which thing a phrase speaks of again, and what a new one brings in.
 
 use super::*;
+
+/// In which room of a home a thing is that several of them may have, the first first.
+const USUAL_ROOMS: [(&str, &[&str]); 7] = [
+    ("dining table", &["dining room", "kitchen", "living room"]),
+    ("table", &["dining room", "kitchen", "living room"]),
+    ("sofa", &["living room"]),
+    ("tv", &["living room", "bedroom"]),
+    ("desk", &["study", "bedroom", "living room"]),
+    ("fridge", &["kitchen"]),
+    ("piano", &["living room"]),
+];
+
 impl Reader<'_> {
     /// Of how many of the things in these chunks, which are these, something is said.
     pub(super) fn quantifier(&self, chunks: Range<usize>, each: bool, of: &[usize]) -> Quantifier {
@@ -152,9 +164,19 @@ impl Reader<'_> {
     }
 
     /// The room that a new thing is in: that which is spoken of or, where several were only listed, "a bedroom and a bathroom. A
-    /// double bed, a shower", the one of them that usually has such a thing.
-    fn usual_room(&self, noun: &str) -> usize {
-        if !self.room_listed || !self.s.rooms.is_empty() {
+    /// double bed, a shower", the one of them that usually has such a thing. So it is with "the dining table", if the room that
+    /// is spoken of has none, and "the living room window" is that of the living room.
+    fn usual_room(&self, np: &Np) -> usize {
+        let noun = &np.name();
+        if matches!(np.group, Some(Group::Window | Group::Door)) {
+            let whose =
+                |room: &crate::brief::Room| noun.strip_prefix(&room.name).is_some_and(|rest| rest.starts_with(' '));
+            if let Some(room) = self.brief.rooms.iter().position(whose) {
+                return room;
+            }
+        }
+        let again = np.det == Det::Definite && np.kind == NounKind::Thing && self.brief.rooms.len() > 1;
+        if !(self.room_listed || again) || !self.s.rooms.is_empty() {
             return self.room;
         }
         let has = |room: &usize| {
@@ -165,6 +187,11 @@ impl Reader<'_> {
         let all: Vec<usize> = (0..self.brief.rooms.len()).filter(has).collect();
         match all[..] {
             [only] => only,
+            [] if again => {
+                let named = |name: &&str| self.brief.rooms.iter().position(|room| room.name == **name);
+                let homes = USUAL_ROOMS.iter().find(|(thing, _)| thing == noun);
+                homes.and_then(|(_, rooms)| rooms.iter().find_map(|name| named(&name))).unwrap_or(self.room)
+            }
             _ => self.room,
         }
     }
@@ -186,7 +213,7 @@ impl Reader<'_> {
             group: np.group.unwrap_or(Group::Floor),
             number,
             of: None,
-            room: self.usual_room(&np.name()),
+            room: self.usual_room(np),
             beyond: None,
             places: None,
             look: np.look.clone(),

@@ -284,6 +284,15 @@ impl Scan<'_> {
             });
         let first = self.used;
         self.name(n, false);
+        // "Crew quarters" is one room.
+        let plain: Vec<&str> = (first..first + n).map(|k| self.text(k)).collect();
+        let last = plain.last().copied().unwrap_or_default();
+        if let Some(noun) = self.nouns.last_mut().filter(|noun| noun.0 != last)
+            && self.lexicon.room(&plain.join(" ")).is_some_and(|kind| kind.name != plain.join(" "))
+            && last == "quarters"
+        {
+            last.clone_into(&mut noun.0);
+        }
         if self.is_in_another(first) {
             return Some(ScanStep::Go);
         }
