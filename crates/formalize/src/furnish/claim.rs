@@ -119,8 +119,10 @@ impl Plan<'_> {
         if matches!(part.at, Where::Enclose(..)) {
             self.fenced(&anchor.name, &it.name);
         }
-        // A bench or a highchair is at one side of a table: chairs are at the others.
-        let is_seat = stand::group(part.noun) == Group::Seat && !matches!(part.noun, "bench" | "highchair");
+        // A bench or a highchair is at one side of a table: chairs are at the others. Two benches are all its seats.
+        let benches = part.noun == "bench" && each > 1;
+        let aside = matches!(part.noun, "bench" | "highchair") && !benches;
+        let is_seat = stand::group(part.noun) == Group::Seat && !aside;
         if let Some(group) = self.building.as_mut().filter(|_| is_seat) {
             group.seated.push(thing);
         }

@@ -42,6 +42,7 @@ mod tell;
 mod tops;
 mod twin;
 mod units;
+mod visitors;
 mod whom;
 
 use crate::brief::{Brief, Fact, FactKind, Group, Number, Pattern, Place, Rel, Thing};
@@ -369,6 +370,17 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(people) = brief.rooms.get(thing.room)?.people.filter(|_| plural && thing.name() == "bunk bed") {
         return Some(people.div_ceil(2));
     }
+    // "A long table with benches": one at each of its long sides.
+    let is_table = |other: &usize| {
+        let other = &brief.things[*other];
+        other.room == thing.room && other.group == Group::Table && other.name().ends_with("table")
+    };
+    if plural
+        && thing.name() == "bench"
+        && let Some(table) = (0..brief.things.len()).find(is_table)
+    {
+        return Some(2 * brief.count(table));
+    }
     if let Some(n) = along_walls(brief, at, kind).filter(|_| plural && !many) {
         return Some(n);
     }
@@ -392,7 +404,10 @@ fn several(brief: &Brief, at: usize) -> Option<usize> {
     if let Some(places) = at_tables(brief, at, kind).filter(|_| plural) {
         return Some(places);
     }
-    let name = meant(kind, thing.name());
+    // "Double desks" are other ones than desks.
+    let looks = || thing.look.features.iter().map(|look| format!("{look} {}", thing.name()));
+    let named = looks().find(|name| kind.means.iter().any(|(said, _)| said == name));
+    let name = meant(kind, named.unwrap_or_else(|| thing.name()));
     let like = |line: &&kinds::Line| stand::counts_as(line.noun, &name);
     // "Desks" in a classroom are those of the pupils.
     let for_people = |line: &&kinds::Line| plural && like(line) && matches!(line.count, kinds::Count::People(_));
@@ -647,6 +662,7 @@ pub fn furnish(draft: &mut Draft, brief: &Brief) {
 
 fn fill(draft: &mut Draft, brief: &Brief) {
     units::any_of_run(draft);
+    visitors::opposite(draft);
     let is_named = |thing: &&DraftThing| !is_among_more(draft, brief, thing);
     let mut closed: Vec<String> =
         draft.things.iter().filter(is_named).map(|thing| thing.category.replace('_', " ")).collect();

@@ -68,7 +68,11 @@ pub fn plain(tokens: &mut Vec<Token>) {
     };
     // "A bus station", "a tent and a fire", "toy boat": no room.
     let before_known = (from..last).any(|k| get().noun(word(tokens, k)).is_some() || tokens[k].is("with"));
-    let measured = |k: usize| (k..k + 14).any(|k| matches!(word(tokens, k), "long" | "wide" | "by" | "x" | "m²"));
+    let number = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
+    let measured = |k: usize| {
+        let is_size = |k: &usize| matches!(word(tokens, *k), "long" | "wide" | "by" | "x");
+        (k..k + 14).filter(is_size).any(|k| number(k - 1) || number(k - 2))
+    };
     let interior = word(tokens, last + 1) == "interior";
     let after = tokens.get(last + 1);
     let is_room = match after.map(|t| (&t.kind, t.text.as_str())) {

@@ -56,7 +56,7 @@ pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
     let mut i = 0;
     while i < tokens.len() {
         let beside = clause(tokens, i).or_else(|| purpose(tokens, i)).or_else(|| news(tokens, i));
-        let beside = beside.or_else(|| see_if(tokens, i)).map(|clause| (clause, BESIDE));
+        let beside = beside.or_else(|| see_if(tokens, i)).or_else(|| about(tokens, i)).map(|clause| (clause, BESIDE));
         let found = beside
             .or_else(|| Some((bare_wall(tokens, i)?, "no statement keeps a part of a wall empty")))
             .or_else(|| Some((kept_apart(tokens, i)?, "no statement says what a partition keeps apart")));
@@ -103,6 +103,22 @@ fn see_if(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     let said = i..end(tokens, i);
     let things = || said.clone().any(|k| get().noun(&singular(word(tokens, k))).is_some() || turns(&tokens[k]));
     (who && seen.is_some() && !things()).then(|| said.clone())
+}
+
+/// "The game is a murder mystery, so": what a scene is for, and no thing in it.
+fn about(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const WHAT: [&str; 12] =
+        ["game", "story", "film", "movie", "play", "idea", "theme", "plot", "concept", "genre", "setting", "show"];
+    let begins = i == 0 || tokens[i - 1].stops();
+    let named = matches!(word(tokens, i), "the" | "our" | "my") && WHAT.contains(&word(tokens, i + 1));
+    let is = matches!(word(tokens, i + 2), "is" | "was" | "takes");
+    let said = i..end(tokens, i);
+    let known = |k: usize| {
+        let thing = super::shares::noun(tokens, k).is_some();
+        thing || room_here(&tokens[k..]).is_some() || turns(&tokens[k])
+    };
+    let comma = usize::from(tokens.get(said.end).is_some_and(|t| t.is(",")));
+    (begins && named && is && !said.clone().skip(2).any(known)).then_some(said.start..said.end + comma)
 }
 
 /// "And please leave the wall beneath the window empty".
@@ -163,7 +179,7 @@ fn clause(tokens: &[Token], i: usize) -> Option<Range<usize>> {
 
 /// Numbers belong to demands.
 fn turns(t: &Token) -> bool {
-    matches!(t.kind, WordKind::Number(_)) || super::number::unit(&t.text).is_some()
+    matches!(t.kind, WordKind::Number(_)) || !t.is("in") && super::number::unit(&t.text).is_some()
 }
 
 /// "They", "my parents", "the movers": where the words for somebody end.
@@ -210,8 +226,10 @@ fn purpose(tokens: &[Token], i: usize) -> Option<Range<usize>> {
         let one = singular(word(tokens, k));
         get().known(word(tokens, k)) || scenelang_lang::nouns::noun(&one).is_some() || get().room(&one).is_some()
     };
-    let lost = end > i + 2 && !known(end - 1) && (i + 2..end).all(|k| !known(k) || get().is_look(word(tokens, k)));
-    lost.then_some(i..end)
+    // What a room is a room of is around it: "the mess room of a research station".
+    let around = word(tokens, i) == "of" && matches!(word(tokens, i + 1), "a" | "an");
+    let strange = || !known(end - 1) && (i + 2..end).all(|k| !known(k) || get().is_look(word(tokens, k)));
+    (end > i + 2 && (around || strange())).then_some(i..end)
 }
 
 #[cfg(test)]
@@ -245,7 +263,10 @@ mod tests {
                 "our flat is only 52 m ² , .",
                 2,
             ),
-            ("I want to see if a piano fits", "I want to see if a piano fits", 0),
+            ("I want to see if a piano fits", "i want to see if a piano fits", 0),
+            ("the mess room of an Antarctic research station, a table", "the mess room , a table", 1),
+            ("the game is a murder mystery, so put a knife block here", "so put a knife block here", 1),
+            ("the game is a chess set", "the game is a chess set", 0),
             ("a desk so you can see the door", "a desk so you can see the door", 0),
             ("hooks when you come in", "hooks when you come in", 0),
             ("a garage for one car", "a garage for one car", 0),

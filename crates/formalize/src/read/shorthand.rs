@@ -87,6 +87,18 @@ fn open_kitchen(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A counter with stools, kitchen behind it": where one cooks.
+fn kitchen_behind(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let it = matches!(word(tokens, i + 2), "it" | "that")
+        || word(tokens, i + 2) == "the" && word(tokens, i + 3) == "counter";
+    let begins = i > 0 && (tokens[i - 1].is(",") || word(tokens, i - 1) == "and");
+    let said = word(tokens, i) == "kitchen" && word(tokens, i + 1) == "behind" && it && begins;
+    if said {
+        put(tokens, i, i + 1, &["a", "stove"]);
+    }
+    said
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::paraphrase::plainly;
@@ -101,6 +113,7 @@ mod tests {
             ("twin beds, a nightstand between.", "twin beds , a nightstand between them ."),
             ("a nightstand between the beds", "a nightstand between the beds"),
             ("six desks, two rows of three.", "six desks in two rows of three ."),
+            ("a counter, kitchen behind it, two tables", "a counter , a stove behind it , two tables"),
             ("seven desks, two rows of three.", "seven desks , two rows of three ."),
         ] {
             assert_eq!(plainly(text), becomes);

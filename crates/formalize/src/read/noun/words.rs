@@ -2,7 +2,7 @@
 //! what one of them is, or passes it on; the order of the rules matters.
 
 use super::super::chunk::{add_look, fixed, look_at};
-use super::super::lexicon::{Class, LookWord, plural, singular};
+use super::super::lexicon::{Class, LookWord, get, plural, singular};
 use super::super::measure::measure;
 use super::super::number;
 use super::super::senses::{Sense, sense};
@@ -426,7 +426,7 @@ impl Scan<'_> {
         }
         // "Two pushed together", "dead bouquets nobody has thrown away": no noun at all.
         let may_be_noun = !w.ends_with("ed") && !matches!(sense(w), Some(Sense::Verb | Sense::Quality));
-        if !may_be_noun && !room && !before_noun(after) && !unknown_follows() {
+        if !may_be_noun && !room && !before_noun(after) && !unknown_follows() && !goes_on_to_noun(after) {
             return ScanStep::Stop;
         }
         // After a known noun in the singular an unknown word may go on only if more of the name follows.
@@ -436,4 +436,17 @@ impl Scan<'_> {
         self.name(1, plural(w));
         ScanStep::Go
     }
+}
+
+/// Whether a noun or a room comes right here or after one more word of a name: "lacquered storage credenza".
+fn goes_on_to_noun(after: &[Token]) -> bool {
+    let named = |n: usize| {
+        let rest = after.get(n..).unwrap_or_default();
+        !rest.is_empty() && (longest_noun(rest).is_some() || room_here(rest).is_some())
+    };
+    let joins = |t: &Token| {
+        let one = std::slice::from_ref(t);
+        t.word() && !get().is(&t.text, Class::Stop) && get().relation(one).is_none() && get().verb(one).is_none()
+    };
+    named(0) && joins(&after[0]) || after.first().is_some_and(joins) && named(1)
 }
