@@ -6,7 +6,7 @@ use super::paraphrase::word;
 use super::token::{Token, WordKind};
 
 /// What encloses people without being a building.
-const NAMES: [&str; 40] = [
+const NAMES: [&str; 41] = [
     "airship",
     "barge",
     "boat",
@@ -22,6 +22,7 @@ const NAMES: [&str; 40] = [
     "cockpit",
     "dinghy",
     "gondola",
+    "greenhouse",
     "houseboat",
     "hut",
     "igloo",
@@ -55,6 +56,11 @@ const LONGEST: usize = 5;
 pub fn plain(tokens: &mut Vec<Token>) {
     let inside =
         ["inside of", "interior of", "inside", "the inside of", "the interior of", "i would like", "i want", "we need"];
+    // "Ok so picture a treehouse".
+    let talk = tokens.iter().take(5).take_while(|t| !matches!(t.text.as_str(), "a" | "an" | "the")).count();
+    if talk > 0 && matches!(word(tokens, talk - 1), "picture" | "imagine") {
+        tokens.drain(..talk);
+    }
     let lead = inside
         .iter()
         .map(|words| words.split(' ').collect::<Vec<_>>())
@@ -71,8 +77,14 @@ pub fn plain(tokens: &mut Vec<Token>) {
     let number = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Number(_)));
     let measured = |k: usize| {
         let is_size = |k: &usize| matches!(word(tokens, *k), "long" | "wide" | "by" | "x");
-        (k..k + 14).filter(is_size).any(|k| number(k - 1) || number(k - 2))
+        (k..k + 14).filter(is_size).any(|k| number(k.saturating_sub(1)) || number(k.saturating_sub(2)))
     };
+    // Nobody has a greenhouse in a room.
+    let is_inside = is_inside
+        || matches!(
+            word(tokens, last),
+            "greenhouse" | "houseboat" | "lighthouse" | "narrowboat" | "submarine" | "treehouse" | "yurt"
+        );
     let interior = word(tokens, last + 1) == "interior";
     let after = tokens.get(last + 1);
     let is_room = match after.map(|t| (&t.kind, t.text.as_str())) {

@@ -54,6 +54,7 @@ mod phrases;
 mod quantified;
 mod reasons;
 mod resumed;
+mod room_sizes;
 mod rooms;
 mod seated;
 mod senses;
@@ -151,6 +152,7 @@ pub fn brief(request: &str) -> Brief {
     converted::plain(&mut tokens);
     suites::plain(&mut tokens);
     let total = totals::plain(&mut tokens);
+    room_sizes::plain(&mut tokens);
     enclosures::plain(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);

@@ -9,7 +9,18 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 5] = [on_for_by, made_from, between_them, rows_after, open_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] = [
+        on_for_by,
+        made_from,
+        between_them,
+        rows_after,
+        open_kitchen,
+        kitchen_behind,
+        per_side,
+        on_wall,
+        relatives,
+        out_front,
+    ];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -99,6 +110,62 @@ fn kitchen_behind(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A four-bed ward, two per side", "six beds, three beds per side": half of them along each side wall.
+fn per_side(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !tokens[i].is(",") {
+        return false;
+    }
+    let Some((each, used)) = tokens.get(i + 1..).and_then(count) else { return false };
+    let named = noun(tokens, i + 1 + used).map_or(i + 1 + used, |name| name.end);
+    if word(tokens, named) != "per" || word(tokens, named + 1) != "side" {
+        return false;
+    }
+    let sentence = tokens[..i].iter().rposition(Token::stops).map_or(0, |k| k + 1);
+    let all = (sentence..i).any(|k| count(&tokens[k..i]).is_some_and(|(n, _)| n == 2.0 * each));
+    if all {
+        put(tokens, i, named + 2, &["in", "two", "rows"]);
+    }
+    all
+}
+
+/// "A shelf on left wall": on the left wall.
+fn on_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let on = matches!(word(tokens, i), "on" | "at" | "along" | "against" | "in" | "to");
+    let which = matches!(
+        word(tokens, i + 1),
+        "left" | "right" | "back" | "front" | "far" | "rear" | "north" | "south" | "east" | "west" | "long" | "short"
+    );
+    let said = on && which && matches!(word(tokens, i + 2), "wall" | "corner");
+    if said {
+        let like = tokens[i].saying("the");
+        tokens.insert(i + 1, like);
+    }
+    said
+}
+
+/// "My uncle pizzeria": that of my uncle.
+fn relatives(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WHO: [&str; 18] = [
+        "uncle", "aunt", "mother", "mum", "mom", "dad", "father", "brother", "sister", "friend", "niece", "nephew",
+        "grandma", "grandpa", "wife", "husband", "boss", "cousin",
+    ];
+    let said = matches!(word(tokens, i), "my" | "our") && WHO.contains(&word(tokens, i + 1)) && !tokens[i + 1].owner;
+    let room = said && super::noun::room_here(&tokens[i + 2..]).is_some();
+    if room {
+        put(tokens, i, i + 2, &["the"]);
+    }
+    room
+}
+
+/// "A bench out front of the window": in front of it.
+fn out_front(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "out" && word(tokens, i + 1) == "front" && word(tokens, i + 2) == "of";
+    if said {
+        put(tokens, i, i + 2, &["in", "front"]);
+    }
+    said
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::paraphrase::plainly;
@@ -113,7 +180,11 @@ mod tests {
             ("twin beds, a nightstand between.", "twin beds , a nightstand between them ."),
             ("a nightstand between the beds", "a nightstand between the beds"),
             ("six desks, two rows of three.", "six desks in two rows of three ."),
-            ("a counter, kitchen behind it, two tables", "a counter , a stove behind it , two tables"),
+            ("a bar, kitchen behind it, two tables", "a bar , a stove behind it , two tables"),
+            ("a ward with four beds, two per side", "a ward with four beds in two rows"),
+            ("a ward with five beds, two per side", "a ward with five beds , two per side"),
+            ("a shelf on left wall", "a shelf on the left wall"),
+            ("a bench out front of the window", "a bench in front of the window"),
             ("seven desks, two rows of three.", "seven desks , two rows of three ."),
         ] {
             assert_eq!(plainly(text), becomes);
