@@ -85,6 +85,9 @@ fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
     if next_bedroom(tokens, i, &one) {
         return true;
     }
+    if one_and_other(tokens, i, plural, &one) {
+        return true;
+    }
     let named = |k: usize| matches!(word(tokens, k), "bedroom" | "bathroom" | "office");
     match [word(tokens, i), word(tokens, i + 1)] {
         ["one", name] if named(i + 1) && name == one => put(tokens, i, i + 1, &["the", "first"]),
@@ -100,6 +103,40 @@ fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
         _ => return false,
     }
     true
+}
+
+/// "Two bedrooms. One has a bed, the other has a crib", "hers gets the window, his is smaller: a single bed": the first bedroom and
+/// the second.
+fn one_and_other(tokens: &mut Vec<Token>, i: usize, plural: usize, one: &str) -> bool {
+    let two = plural > 0 && count(&tokens[plural - 1..plural]).is_some_and(|(n, _)| n == 2.0);
+    let starts = i > plural && (!tokens[i - 1].word() || matches!(word(tokens, i - 1), "and" | "while" | "but"));
+    let told = |which: &str| (plural..i).any(|k| word(tokens, k) == which && word(tokens, k + 1) == one);
+    let has = |k: usize| matches!(word(tokens, k), "has" | "is" | "gets" | "needs" | "contains");
+    let whose = matches!(word(tokens, i), "hers" | "his" | "mine" | "ours" | "theirs" | "yours");
+    let other = |k: usize| word(tokens, k) == "the" && word(tokens, k + 1) == "other" && has(k + 2);
+    let (which, verb) = match word(tokens, i) {
+        "one" if has(i + 1) && (i..tokens.len()).any(other) => ("first", i + 1),
+        "the" if other(i) && told("first") => ("second", i + 2),
+        _ if whose && has(i + 1) => (if told("first") { "second" } else { "first" }, i + 1),
+        _ => return false,
+    };
+    if !two && !hyphened(tokens, plural) || !starts || told("second") {
+        return false;
+    }
+    // "His is smaller: an electric bed" has one.
+    let colon = tokens.get(verb + 2).is_some_and(|t| t.is(":")) && word(tokens, verb) == "is";
+    let end = if colon { verb + 3 } else { verb + 1 };
+    let verb = if colon || word(tokens, verb) == "gets" { "has" } else { word(tokens, verb) }.to_owned();
+    put(tokens, i, end, &["the", which, one, &verb]);
+    if i > 0 && (tokens[i - 1].is(",") || tokens[i - 1].word()) {
+        put(tokens, i - 1, i, &["."]);
+        tokens[i - 1].kind = WordKind::Sign('.');
+    }
+    true
+}
+
+fn hyphened(tokens: &[Token], plural: usize) -> bool {
+    tokens[plural].text.starts_with("two-")
 }
 
 /// "…, one bedroom with a double bed, and a smaller bedroom with a desk": sentences about the first and the second bedroom.

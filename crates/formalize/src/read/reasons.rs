@@ -56,7 +56,11 @@ pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
     let mut i = 0;
     while i < tokens.len() {
         let beside = clause(tokens, i).or_else(|| purpose(tokens, i)).or_else(|| news(tokens, i));
-        let beside = beside.or_else(|| see_if(tokens, i)).or_else(|| about(tokens, i)).map(|clause| (clause, BESIDE));
+        let beside = beside
+            .or_else(|| see_if(tokens, i))
+            .or_else(|| about(tokens, i))
+            .or_else(|| own_use(tokens, i))
+            .map(|clause| (clause, BESIDE));
         let found = beside
             .or_else(|| Some((bare_wall(tokens, i)?, "no statement keeps a part of a wall empty")))
             .or_else(|| Some((kept_apart(tokens, i)?, "no statement says what a partition keeps apart")));
@@ -80,9 +84,8 @@ fn news(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     let begins = i == 0 || tokens[i - 1].stops();
     let who =
         matches!(word(tokens, i), "i" | "we" | "he" | "she" | "they" | "i'm" | "we're" | "they're" | "she's" | "he's");
-    let told = i + 1..end(tokens, i);
-    let and =
-        told.clone().find(|k| word(tokens, *k) == "and" && matches!(word(tokens, k + 1), "my" | "our" | "the"))?;
+    let and = (i + 1..end(tokens, i))
+        .find(|k| word(tokens, *k) == "and" && matches!(word(tokens, k + 1), "my" | "our" | "the"))?;
     let home = |k: usize| super::several::is_home(word(tokens, k)) || room_here(&tokens[k..]).is_some();
     let is_said = home(and + 2) && matches!(word(tokens, and + 3), "is" | "has" | "measures");
     let asks = (i..and).any(|k| ASKS.contains(&word(tokens, k)) || home(k) || turns(&tokens[k]));
@@ -119,6 +122,15 @@ fn about(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     };
     let comma = usize::from(tokens.get(said.end).is_some_and(|t| t.is(",")));
     (begins && named && is && !said.clone().skip(2).any(known)).then_some(said.start..said.end + comma)
+}
+
+/// "A chair for putting on his socks": what is somebody's own is used there, and nothing that is to be placed.
+fn own_use(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    let acts = word(tokens, i) == "for" && word(tokens, i + 1).ends_with("ing");
+    let on = i + 2 + usize::from(matches!(word(tokens, i + 2), "on" | "up" | "off" | "away"));
+    let own = matches!(word(tokens, on), "my" | "his" | "her" | "their" | "our");
+    let end = on + 2;
+    (acts && own && tokens.get(end).is_none_or(|t| !t.word() || t.is("and"))).then_some(i..end)
 }
 
 /// "And please leave the wall beneath the window empty".
@@ -263,6 +275,8 @@ mod tests {
                 "our flat is only 52 m ² , .",
                 2,
             ),
+            ("a chair for putting on his socks, a bed", "a chair , a bed", 1),
+            ("a room for testing a robot", "a room for testing a robot", 0),
             ("I want to see if a piano fits", "i want to see if a piano fits", 0),
             ("the mess room of an Antarctic research station, a table", "the mess room , a table", 1),
             ("the game is a murder mystery, so put a knife block here", "so put a knife block here", 1),

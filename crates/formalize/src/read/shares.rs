@@ -13,8 +13,8 @@ pub(super) const LONGEST: usize = 4;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 7] =
-        [on_each_side, on_one_side, on_the_other_side, looks, of_them, the_others, gapped];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 8] =
+        [for_how_many, on_each_side, on_one_side, on_the_other_side, looks, of_them, the_others, gapped];
     turns.iter().any(|turn| turn(tokens, i))
 }
 
@@ -125,6 +125,39 @@ fn of_them(tokens: &mut Vec<Token>, i: usize) -> bool {
     } else {
         return false;
     }
+    true
+}
+
+/// "Ten tables: six for four along the windows and four for two": six tables for four and four tables for two.
+fn for_how_many(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let Some(all) = number(tokens, i).filter(|n| *n > 1) else { return false };
+    let Some(noun) = noun(tokens, i + 1).filter(|noun| noun.start == i + 1) else { return false };
+    if !tokens.get(noun.end).is_some_and(|t| t.is(":") || t.is(",")) {
+        return false;
+    }
+    let end = tokens[noun.end..].iter().position(Token::stops).map_or(tokens.len(), |n| noun.end + n);
+    let begins = |k: usize| tokens[k - 1].is(":") || tokens[k - 1].is(",") || tokens[k - 1].is("and");
+    // A part: its number, and where "for" follows.
+    let part = |k: usize| {
+        let n = number(tokens, k).filter(|_| begins(k))?;
+        let looks =
+            (k + 1..k + 4).find(|at| word(tokens, *at) == "for" || !tokens.get(*at).is_some_and(Token::word))?;
+        let is_for = word(tokens, looks) == "for" && number(tokens, looks + 1).is_some();
+        is_for.then_some((n, looks))
+    };
+    let parts: Vec<(usize, usize)> = (noun.end + 1..end).filter_map(part).collect();
+    if parts.len() < 2 || parts.iter().map(|part| part.0).sum::<usize>() != all {
+        return false;
+    }
+    let name: Vec<String> = tokens[noun.clone()].iter().map(|t| t.text.clone()).collect();
+    for (n, at) in parts.into_iter().rev() {
+        let mut name = name.clone();
+        if let Some(last) = name.last_mut().filter(|_| n == 1) {
+            *last = singular(last);
+        }
+        insert(tokens, at, &name.iter().map(String::as_str).collect::<Vec<_>>());
+    }
+    tokens.drain(i..=noun.end);
     true
 }
 
@@ -400,6 +433,12 @@ mod tests {
             ("two shelves, one above the other", "two shelves , one above the other"),
             ("two nightstands, one on each side of the bed", "two nightstands , one on each side of the bed"),
             ("a bed with two lamps and a room, 4 by 5 m", "a bed with two lamps and a room , 4 by 5 m"),
+            (
+                "ten tables: six for four by the windows, three for two at the wall, and one very long for twelve.",
+                "six tables for four by the windows , three tables for two at the wall , and one very long table for \
+                 twelve .",
+            ),
+            ("ten tables: six for four and three for two", "ten tables : six for four and three for two"),
             ("a table for two by the window", "a table for two by the window"),
         ] {
             assert_eq!(paraphrase::plainly(text), becomes);

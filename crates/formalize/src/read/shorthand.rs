@@ -1,7 +1,7 @@
 //! Words that people leave out or put in the place of others: "5 on 4 m" is 5 by 4 m, "a nightstand between" is between what was
 //! named before, and "six desks, two rows of three" stand in two rows of three.
 
-use super::lexicon::{LookWord, get, singular};
+use super::lexicon::{LookWord, get};
 use super::number::{count, unit};
 use super::paraphrase::{ends, put, word};
 use super::shares::noun;
@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 12] = [
         on_for_by,
         made_from,
         between_them,
@@ -17,6 +17,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         open_kitchen,
         kitchen_behind,
         per_side,
+        headboards,
+        both_sides,
         on_wall,
         relatives,
         out_front,
@@ -121,11 +123,43 @@ fn per_side(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let sentence = tokens[..i].iter().rposition(Token::stops).map_or(0, |k| k + 1);
-    let all = (sentence..i).any(|k| count(&tokens[k..i]).is_some_and(|(n, _)| n == 2.0 * each));
+    let joined = |k: usize| super::number::small(tokens[k].text.split('-').next().unwrap_or(""));
+    let counted = |k: usize| count(&tokens[k..i]).map(|(n, _)| n).or_else(|| joined(k));
+    let all = (sentence..i).any(|k| counted(k) == Some(2.0 * each));
     if all {
         put(tokens, i, named + 2, &["in", "two", "rows"]);
     }
     all
+}
+
+/// "Beds with headboards to the wall": the beds are against the wall.
+fn headboards(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let with = word(tokens, i) == "with" && matches!(word(tokens, i + 1), "headboards" | "heads");
+    let wall = matches!(word(tokens, i + 2), "to" | "against" | "at")
+        && word(tokens, i + 3) == "the"
+        && word(tokens, i + 4) == "wall";
+    if with && wall {
+        put(tokens, i, i + 3, &["against"]);
+    }
+    with && wall
+}
+
+/// "A galley kitchen, counters 0.9 m high on both sides": along both long walls.
+fn both_sides(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAR: usize = 6;
+    let said = word(tokens, i) == "on"
+        && word(tokens, i + 1) == "both"
+        && word(tokens, i + 2) == "sides"
+        && ends(tokens, i + 3);
+    let lines =
+        |k: &usize| matches!(word(tokens, *k), "counters" | "worktops" | "units" | "cabinets" | "racks" | "shelves");
+    let sentence = tokens[..i].iter().rposition(Token::stops).map_or(0, |k| k + 1);
+    let of_room = || (sentence..i).any(|k| super::noun::room_here(&tokens[k..]).is_some());
+    if !said || !(i.saturating_sub(FAR)..i).any(|k| lines(&k)) || !of_room() {
+        return false;
+    }
+    put(tokens, i, i + 3, &["along", "both", "long", "walls"]);
+    true
 }
 
 /// "A shelf on left wall": on the left wall.
@@ -182,6 +216,11 @@ mod tests {
             ("six desks, two rows of three.", "six desks in two rows of three ."),
             ("a bar, kitchen behind it, two tables", "a bar , a stove behind it , two tables"),
             ("a ward with four beds, two per side", "a ward with four beds in two rows"),
+            (
+                "a galley kitchen, counters on both sides.",
+                "a galley kitchen , kitchen counters along both long walls .",
+            ),
+            ("beds with headboards to the wall", "beds against the wall"),
             ("a ward with five beds, two per side", "a ward with five beds , two per side"),
             ("a shelf on left wall", "a shelf on the left wall"),
             ("a bench out front of the window", "a bench in front of the window"),

@@ -187,11 +187,11 @@ fn with_placed(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     let whose = singular(word(tokens, i - 1));
     let carrier = matches!(group(i - 1), Some(Group::Table | Group::Storage | Group::Bed | Group::Floor));
-    if !carrier && !(filled == 1 && whose == "bench") {
+    if !carrier && (filled == 0 || whose != "bench") {
         return false;
     }
     let first = i + 1 + filled;
-    let counted = super::number::count(&tokens[first.min(tokens.len())..]).map(|(_, used)| used);
+    let counted = count(&tokens[first.min(tokens.len())..]).map(|(_, used)| used);
     let article = counted.unwrap_or(usize::from(matches!(word(tokens, first), "a" | "an" | "some")));
     let Some(name) = noun(tokens, first + article) else { return false };
     let at = name.end;

@@ -188,9 +188,9 @@ impl Reader<'_> {
         match all[..] {
             [only] => only,
             [] if again => {
-                let named = |name: &&str| self.brief.rooms.iter().position(|room| room.name == **name);
+                let named = |name: &str| self.brief.rooms.iter().position(|room| room.name == name);
                 let homes = USUAL_ROOMS.iter().find(|(thing, _)| thing == noun);
-                homes.and_then(|(_, rooms)| rooms.iter().find_map(|name| named(&name))).unwrap_or(self.room)
+                homes.and_then(|(_, rooms)| rooms.iter().find_map(|name| named(name))).unwrap_or(self.room)
             }
             _ => self.room,
         }
