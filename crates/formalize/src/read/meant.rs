@@ -23,8 +23,8 @@ pub(super) fn walls(tokens: &mut Vec<Token>, i: usize) -> bool {
     if let Some(end) = mirrors {
         // "Three treadmills facing the mirror wall": they look straight at that wall.
         let faced = i > 0 && word(tokens, i - 1) == "facing" && ends(tokens, end);
-        let wall = ["the", "back", "wall", "and", "three", "gym", "mirrors", "on", "the", "back", "wall"];
-        put(tokens, i, end, if faced { &wall } else { &wall[4..7] });
+        let all = ["the", "back", "wall", "and", "three", "gym", "mirrors", "on", "the", "back", "wall"];
+        put(tokens, i, end, if faced { &all } else { &all[4..7] });
         return true;
     }
     let wine = match [word(tokens, first), word(tokens, first + 1), word(tokens, first + 2)] {
@@ -644,21 +644,19 @@ pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let end = (i + 3..tokens.len()).find(|at| ends(tokens, *at)).unwrap_or(tokens.len());
-    let divider = word(tokens, end - 1).to_owned();
-    if end > i + 5 || PASSED.contains(&divider.as_str()) {
+    let divider = word(tokens, end - 1);
+    if end > i + 5 || PASSED.contains(&divider) {
         return false;
     }
     // A curtain between two beds hangs from no wall.
-    let kind = if divider == "curtain" { "privacy curtain" } else { divider.as_str() };
-    let said: Vec<&str> = kind.split(' ').chain(["between", "them"]).collect();
-    put(tokens, end - 1, end, &said);
+    let kind = if divider == "curtain" { "privacy curtain" } else { divider }.to_owned();
+    put(tokens, end - 1, end, &[&kind.split(' ').collect::<Vec<_>>()[..], &["between", "them"]].concat());
     put(tokens, i, i + 2, &["with"]);
     true
 }
 
 /// The most words between a number and what it counts.
 const LOOKS: usize = 3;
-
 /// "A kitchen with white cabinets": its units are white, worktop and wall cabinets alike.
 pub(super) fn kitchen_units(tokens: &mut Vec<Token>, i: usize) -> bool {
     let noun = i + usize::from(word(tokens, i) == "kitchen");

@@ -106,6 +106,14 @@ fn open_kitchen(tokens: &mut Vec<Token>) {
         let before = [4, 3, 2, 1].map(|k| at.checked_sub(k).map_or("", |k| word(tokens, k)));
         matches!(before, ["living" | "lounge", "room" | "area", "with", "an"])
     };
+    // "A living room with open kitchen".
+    let bare = |at: &usize| {
+        let before = [3, 2, 1].map(|k| at.checked_sub(k).map_or("", |k| word(tokens, k)));
+        matches!(before, ["living" | "lounge", "room" | "area", "with"])
+    };
+    if let Some(at) = (1..tokens.len()).filter(open).find(bare) {
+        return put(tokens, at, at + 2, &["a", "kitchen", "counter"]);
+    }
     if let Some(at) = (1..tokens.len()).filter(open).find(in_living) {
         return put(tokens, at - 1, at + 2, &["a", "kitchen", "counter"]);
     }

@@ -60,6 +60,7 @@ pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
             .or_else(|| see_if(tokens, i))
             .or_else(|| about(tokens, i))
             .or_else(|| own_use(tokens, i))
+            .or_else(|| unlike(tokens, i))
             .map(|clause| (clause, BESIDE));
         let found = beside
             .or_else(|| Some((bare_wall(tokens, i)?, "no statement keeps a part of a wall empty")))
@@ -131,6 +132,14 @@ fn own_use(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     let own = matches!(word(tokens, on), "my" | "his" | "her" | "their" | "our");
     let end = on + 2;
     (acts && own && tokens.get(end).is_none_or(|t| !t.word() || t.is("and"))).then_some(i..end)
+}
+
+/// "But please not like a souvenir shop": what it is not like is nothing in it.
+fn unlike(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    let but = i + usize::from(word(tokens, i) == "but");
+    let not = but + usize::from(word(tokens, but) == "please");
+    let said = word(tokens, not) == "not" && word(tokens, not + 1) == "like";
+    said.then(|| i..end(tokens, i)).filter(|said| said.len() <= LONGEST)
 }
 
 /// "And please leave the wall beneath the window empty".
@@ -277,6 +286,7 @@ mod tests {
             ),
             ("a chair for putting on his socks, a bed", "a chair , a bed", 1),
             ("a room for testing a robot", "a room for testing a robot", 0),
+            ("chairs of wood, but please not like souvenir shop, no flags", "chairs of wood , , no flags", 1),
             ("I want to see if a piano fits", "i want to see if a piano fits", 0),
             ("the mess room of an Antarctic research station, a table", "the mess room , a table", 1),
             ("the game is a murder mystery, so put a knife block here", "so put a knife block here", 1),

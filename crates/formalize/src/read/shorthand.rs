@@ -14,11 +14,11 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         made_from,
         between_them,
         rows_after,
-        open_kitchen,
         kitchen_behind,
         per_side,
         headboards,
         both_sides,
+        upper_cabinets,
         on_wall,
         relatives,
         out_front,
@@ -91,15 +91,6 @@ fn rows_after(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A living room with open kitchen": with an open kitchen.
-fn open_kitchen(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let said = word(tokens, i) == "with" && word(tokens, i + 1) == "open" && word(tokens, i + 2) == "kitchen";
-    if said {
-        put(tokens, i, i + 1, &["with", "an"]);
-    }
-    said
-}
-
 /// "A counter with stools, kitchen behind it": where one cooks.
 fn kitchen_behind(tokens: &mut Vec<Token>, i: usize) -> bool {
     let it = matches!(word(tokens, i + 2), "it" | "that")
@@ -160,6 +151,16 @@ fn both_sides(tokens: &mut Vec<Token>, i: usize) -> bool {
     }
     put(tokens, i, i + 3, &["along", "both", "long", "walls"]);
     true
+}
+
+/// "Upper cabinets" hang on the wall.
+fn upper_cabinets(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "upper" | "overhead")
+        && matches!(word(tokens, i + 1), "cabinets" | "cupboards" | "units");
+    if said {
+        put(tokens, i, i + 2, &["wall", "cabinets"]);
+    }
+    said
 }
 
 /// "A shelf on left wall": on the left wall.

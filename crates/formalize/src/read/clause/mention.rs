@@ -184,7 +184,9 @@ impl Reader<'_> {
             let lines = kind.into_iter().flat_map(|kind| &kind.lines);
             lines.into_iter().any(|line| crate::furnish::stand::counts_as(line.noun, noun))
         };
-        let all: Vec<usize> = (0..self.brief.rooms.len()).filter(has).collect();
+        // A flat has what its rooms have.
+        let is_part = |room: &usize| Some(*room) != self.rooms.whole;
+        let all: Vec<usize> = (0..self.brief.rooms.len()).filter(|room| is_part(room) && has(room)).collect();
         match all[..] {
             [only] => only,
             [] if again => {
