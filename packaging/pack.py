@@ -58,7 +58,7 @@ def executable(target):
 
 
 def licences():
-    return [(name, (ROOT / name).read_bytes()) for name in ("LICENSE-APACHE", "LICENSE-MIT")]
+    return [(name, (ROOT / name).read_bytes()) for name in ("LICENSE-APACHE", "LICENSE-MIT", "LICENSE-WORDNET")]
 
 
 def zipped(files):

@@ -12,7 +12,7 @@ const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /** What is shipped; nothing else is. */
 const SHIPPED = ["package.json", "README.md", "language-configuration.json", "dist", "media", "snippets", "syntaxes"];
-const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT"];
+const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "LICENSE-WORDNET"];
 const TYPES = { json: "application/json", md: "text/markdown", js: "application/javascript", svg: "image/svg+xml", png: "image/png", txt: "text/plain", exe: "application/octet-stream" };
 
 const { values, positionals } = parseArgs({ allowPositionals: true, options: { server: { type: "string" }, target: { type: "string" } } });
