@@ -44,6 +44,8 @@ const ASKS: &[&str] = &[
     "room",
     "access",
     "share",
+    "there",
+    "there's",
 ];
 /// The most words of such a clause.
 const LONGEST: usize = 16;
@@ -61,6 +63,7 @@ pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
             .or_else(|| about(tokens, i))
             .or_else(|| own_use(tokens, i))
             .or_else(|| unlike(tokens, i))
+            .or_else(|| stands(tokens, i))
             .map(|clause| (clause, BESIDE));
         let found = beside
             .or_else(|| Some((bare_wall(tokens, i)?, "no statement keeps a part of a wall empty")))
@@ -140,6 +143,23 @@ fn unlike(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     let not = but + usize::from(word(tokens, but) == "please");
     let said = word(tokens, not) == "not" && word(tokens, not + 1) == "like";
     said.then(|| i..end(tokens, i)).filter(|said| said.len() <= LONGEST)
+}
+
+/// "Ten stools and a bartender behind it": people are not placed, and what is said of them is not said of the stools.
+fn stands(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    let joins = matches!(word(tokens, i), "and" | "with");
+    let counted = super::number::count(tokens.get(i + 1..)?).map(|(_, used)| used);
+    let person = i + 1 + counted.unwrap_or(usize::from(matches!(word(tokens, i + 1), "a" | "an" | "the")));
+    let who = word(tokens, person);
+    let is_person = person > i + 1 && sense(who) == Some(Sense::Person) && get().noun(&singular(who)).is_none();
+    let (_, used) = get().relation(tokens.get(person + 1..)?).filter(|_| joins && is_person)?;
+    let to = person + 1 + used;
+    let end = match word(tokens, to) {
+        "it" | "them" => to + 1,
+        "the" => super::shares::noun(tokens, to + 1)?.end,
+        _ => return None,
+    };
+    (used > 0 && tokens.get(end).is_none_or(|t| !t.word() || t.is("and"))).then_some(i..end)
 }
 
 /// "And please leave the wall beneath the window empty".
@@ -287,12 +307,16 @@ mod tests {
             ("a chair for putting on his socks, a bed", "a chair , a bed", 1),
             ("a room for testing a robot", "a room for testing a robot", 0),
             ("chairs of wood, but please not like souvenir shop, no flags", "chairs of wood , , no flags", 1),
+            ("the bar has ten stools and a bartender behind it.", "the bar has ten stools .", 1),
+            ("a ward with two welders beside the press, a sink", "a ward , a sink", 1),
+            ("a waiting room with a nurse at a desk", "a waiting room with a nurse at a desk", 0),
             ("I want to see if a piano fits", "i want to see if a piano fits", 0),
             ("the mess room of an Antarctic research station, a table", "the mess room , a table", 1),
             ("the game is a murder mystery, so put a knife block here", "so put a knife block here", 1),
             ("the game is a chess set", "the game is a chess set", 0),
             ("a desk so you can see the door", "a desk so you can see the door", 0),
             ("hooks when you come in", "hooks when you come in", 0),
+            ("a desk, because there is a radiator", "a desk , because there is a radiator", 0),
             ("a garage for one car", "a garage for one car", 0),
             ("a room for a piano", "a room for a piano", 0),
             ("paths of 1 m because she uses a wheelchair", "paths of 1 m because she uses a wheelchair", 0),

@@ -79,8 +79,9 @@ impl Reader<'_> {
             } else if (same_head || same_tail) && own {
                 6
             } else if np.words.len() == 1 && item.words.contains(&head) && !item.opening() {
-                // "the wardrobe door" is no wardrobe; "the desk" is rather a desk than a desk lamp
-                3
+                // "the wardrobe door" is no wardrobe, and a desk lamp is no desk; "the bar" may be the bar counter
+                let other = lexicon.noun(&head).zip(lexicon.noun(&item.head())).is_some_and(|(a, b)| a != b);
+                if other && !same_head && !same_tail { 0 } else { 3 }
             } else if np.words.len() == 1
                 && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head))
             {
