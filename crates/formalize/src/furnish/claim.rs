@@ -90,6 +90,9 @@ impl Plan<'_> {
         let in_corner = matches!(part.at, Where::Front(gap, ..) if gap < 0.0);
         let before = GroupPart { at: Where::Front(FACING, 180.0, 0.0), ..part.clone() };
         let part = if in_corner && self.draft.statements.iter().any(faces) { &before } else { part };
+        // Two benches at a table are at its long sides.
+        let facing = GroupPart { at: Where::LongSides(each, 0.02), ..part.clone() };
+        let part = if part.noun == "bench" && each > 1 { &facing } else { part };
         let foot = stand::foot(part.noun, own);
         let is_bent = self.building.as_ref().is_some_and(|group| group.is_bent(thing));
         let mut places: Vec<Slot> = wheres(part, each, (wall, is_bent))

@@ -271,7 +271,10 @@ impl Lexicon {
             let last = name.rsplit(' ').next().unwrap_or(name);
             // What ends in a noun of the reader is read by that, unless it has another place ("a grab rail"); a room is no thing.
             let hangs = matches!(group, Group::Wall | Group::Ceiling) && nouns.get(last) == Some(&Group::Floor);
-            let is_read = own.binary_search(&last).is_ok() && !hangs || rooms.contains_key(name);
+            // "Two umbrella stands": no umbrella that stands.
+            let front = name.rsplit_once(' ').map_or("", |(front, _)| front);
+            let new = own.binary_search(&front).is_err() && scenelang_lang::nouns::noun(front).is_some();
+            let is_read = own.binary_search(&last).is_ok() && !hangs && !new || rooms.contains_key(name);
             let is_either = words.get(name).is_some_and(|classes| classes.contains(&Class::Either));
             if !is_read && !is_either {
                 nouns.entry(name).or_insert(group);

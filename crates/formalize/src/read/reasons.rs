@@ -64,6 +64,7 @@ pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
             .or_else(|| own_use(tokens, i))
             .or_else(|| unlike(tokens, i))
             .or_else(|| stands(tokens, i))
+            .or_else(|| title(tokens, i))
             .map(|clause| (clause, BESIDE));
         let found = beside
             .or_else(|| Some((bare_wall(tokens, i)?, "no statement keeps a part of a wall empty")))
@@ -162,6 +163,16 @@ fn stands(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     (used > 0 && tokens.get(end).is_none_or(|t| !t.word() || t.is("and"))).then_some(i..end)
 }
 
+/// "Heist map, …": what kind of work the room is for, at the beginning.
+fn title(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const MOST: usize = 4;
+    const WORKS: [&str; 7] = ["map", "level", "scene", "mission", "quest", "episode", "lesson"];
+    let end = (i == 0).then(|| end(tokens, 0)).filter(|end| (2..=MOST).contains(end) && *end < tokens.len())?;
+    let work = WORKS.contains(&word(tokens, end - 1)) && (tokens[end].is(",") || tokens[end].is(":"));
+    let named = (0..end - 1).any(|k| room_here(&tokens[k..]).is_some() || get().noun(word(tokens, k)).is_some());
+    (work && !named).then_some(0..end)
+}
+
 /// "And please leave the wall beneath the window empty".
 fn bare_wall(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     const FAR: usize = 12;
@@ -251,7 +262,8 @@ fn does(tokens: &[Token], i: usize) -> bool {
 /// "A dorm room for a segmentation dataset", "an office of a think tank": what a room is for, in words that no table has.
 fn purpose(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     const MOST: usize = 4;
-    let after_room = (1..=3).any(|n| i >= n && room_here(&tokens[i - n..i]) == Some(n));
+    let floor = i > 0 && word(tokens, i) == "of" && word(tokens, i - 1) == "floor";
+    let after_room = floor || (1..=3).any(|n| i >= n && room_here(&tokens[i - n..i]) == Some(n));
     let article = matches!(word(tokens, i + 1), "a" | "an" | "the" | "my" | "our");
     if !matches!(word(tokens, i), "for" | "of") || !after_room || !article {
         return None;
@@ -310,6 +322,9 @@ mod tests {
             ("the bar has ten stools and a bartender behind it.", "the bar has ten stools .", 1),
             ("a ward with two welders beside the press, a sink", "a ward , a sink", 1),
             ("a waiting room with a nurse at a desk", "a waiting room with a nurse at a desk", 0),
+            ("heist level, a safe", ", a safe", 1),
+            ("a world map, a desk", "a world map , a desk", 0),
+            ("the ground floor of a provincial bank, a hall", "the ground floor , a hall", 1),
             ("I want to see if a piano fits", "i want to see if a piano fits", 0),
             ("the mess room of an Antarctic research station, a table", "the mess room , a table", 1),
             ("the game is a murder mystery, so put a knife block here", "so put a knife block here", 1),

@@ -28,6 +28,18 @@ fn bare(tokens: &[Token], from: usize, to: usize) -> bool {
 
 /// "Pallets are banned", "dogs are not allowed": no pallets, no dogs.
 fn banned(tokens: &mut Vec<Token>, i: usize) -> bool {
+    // "Ping-pong, absolutely not."
+    let firmly = |k: usize| matches!(word(tokens, k), "absolutely" | "definitely" | "certainly" | "please");
+    let adverb = i - (1..=i.min(2)).take_while(|n| firmly(i - n)).count();
+    if word(tokens, i) == "not" && ends(tokens, i + 1) && adverb < i && adverb > 0 && tokens[adverb - 1].is(",") {
+        let from = begin(tokens, adverb - 1);
+        let said = bare(tokens, from, adverb - 1);
+        if said {
+            put(tokens, adverb - 1, i + 1, &[]);
+            no(tokens, from);
+        }
+        return said;
+    }
     let is_unneeded = |k: usize| matches!(word(tokens, k), "needed" | "necessary" | "required");
     // "Carpet not needed."
     if word(tokens, i) == "not" && is_unneeded(i + 1) && ends(tokens, i + 2) {
@@ -229,6 +241,8 @@ mod tests {
     fn what_is_meant_is_said_plainly() {
         for (text, becomes) in [
             ("wooden pallets are banned from here.", "no wooden pallets from here ."),
+            ("plants, yes; ping-pong, absolutely not.", "plants , yes ; no ping-pong ."),
+            ("carpet not needed. a sofa", "no carpet . a sofa"),
             ("pets are not allowed", "no pets"),
             ("the sink is not to be near the hob", "the sink must not be near the hob"),
             ("a couch. not the beanbags tho", "a couch . no beanbags tho"),

@@ -12,7 +12,7 @@ const THROUGH: [&str; 7] = ["through", "past", "around", "everywhere", "in", "by
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    if room_for(tokens, i) || to_get_through(tokens, i) || as_wide(tokens, i) {
+    if room_for(tokens, i) || to_get_through(tokens, i) || as_wide(tokens, i) || uses(tokens, i) {
         return true;
     }
     let starts = i == 0
@@ -36,7 +36,11 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     let moves = |t: &Token| matches!(t.text.as_str(), "get" | "pass" | "move" | "come" | "go" | "turn");
     let clause = &tokens[goes..end];
     let Some(verb) = clause.iter().position(moves).filter(|n| clause[..*n].iter().any(must)) else { return false };
-    if !clause[verb + 1..].iter().take(2).any(|t| THROUGH.contains(&t.text.as_str())) || clause.len() > verb + 5 {
+    // "Get all the way through".
+    let way = 3 * usize::from(clause.get(verb + 3).is_some_and(|t| t.is("way")));
+    if !clause[verb + 1 + way..].iter().take(2).any(|t| THROUGH.contains(&t.text.as_str()))
+        || clause.len() > verb + way + 5
+    {
         return false;
     }
     put(tokens, i, end, &["there", "are", "0.9", "m", "wide", "paths", "to", "everything"]);
@@ -72,6 +76,19 @@ fn as_wide(tokens: &mut Vec<Token>, i: usize) -> bool {
         tokens[i + 8].text = ".".to_owned();
         tokens[i + 8].kind = WordKind::Sign('.');
     }
+    true
+}
+
+/// "She uses a walker": paths for it.
+fn uses(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let who = matches!(word(tokens, i), "i" | "she" | "he" | "they") && (i == 0 || !tokens[i - 1].word());
+    let said =
+        who && matches!(word(tokens, i + 1), "use" | "uses") && matches!(word(tokens, i + 2), "a" | "her" | "his");
+    if !said || !WHEELED.contains(&word(tokens, i + 3)) {
+        return false;
+    }
+    put(tokens, i, i + 4, &["there", "are", "0.9", "m", "wide", "paths", "to", "everything"]);
+    tokens[i + 2].kind = WordKind::Number(WIDE);
     true
 }
 
@@ -144,6 +161,8 @@ mod tests {
         let paths = "there are 0.9 m wide paths to everything";
         for (said, becomes) in [
             ("a hall. someone with a pram still needs to get through.", format!("a hall . {paths} .")),
+            ("a hall. prams have to be able to get all the way through.", format!("a hall . {paths} .")),
+            ("she uses a walker, so no rugs", format!("{paths} , so no rugs")),
             ("a shop. people in wheelchairs must be able to get around.", format!("a shop . {paths} .")),
             ("a ward, so a wheelchair can pass through", format!("a ward , . {paths}")),
             (
