@@ -644,13 +644,11 @@ pub(super) fn separated(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let end = (i + 3..tokens.len()).find(|at| ends(tokens, *at)).unwrap_or(tokens.len());
-    let divider = word(tokens, end - 1);
-    if end > i + 5 || PASSED.contains(&divider) {
+    let divider = word(tokens, end - 1).to_owned();
+    if end > i + 5 || PASSED.contains(&divider.as_str()) {
         return false;
     }
-    // A curtain between two beds hangs from no wall.
-    let kind = if divider == "curtain" { "privacy curtain" } else { divider }.to_owned();
-    put(tokens, end - 1, end, &[&kind.split(' ').collect::<Vec<_>>()[..], &["between", "them"]].concat());
+    put(tokens, end - 1, end, &[&divider, "between", "them"]);
     put(tokens, i, i + 2, &["with"]);
     true
 }
@@ -783,7 +781,7 @@ mod tests {
             ("a lobby with a desk and seating", "a lobby with a desk and a seating area"),
             ("a lobby with some seating, a desk and plants", "a lobby with a seating area , a desk and plants"),
             ("a hall seating twenty people", "a hall for twenty people"),
-            ("two beds separated by a curtain and a lamp", "two beds with a privacy curtain between them and a lamp"),
+            ("two beds separated by a curtain and a lamp", "two beds with a curtain between them and a lamp"),
             ("a dental practice with two treatment rooms", "a dental practice with two dental treatment rooms"),
             ("a room with ten chairs with tables", "a room with ten chairs and tables"),
             ("a small waiting room in a clinic with a desk", "a small clinic waiting room with a desk"),

@@ -170,7 +170,9 @@ fn title(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     let end = (i == 0).then(|| end(tokens, 0)).filter(|end| (2..=MOST).contains(end) && *end < tokens.len())?;
     let work = WORKS.contains(&word(tokens, end - 1)) && (tokens[end].is(",") || tokens[end].is(":"));
     let named = (0..end - 1).any(|k| room_here(&tokens[k..]).is_some() || get().noun(word(tokens, k)).is_some());
-    (work && !named).then_some(0..end)
+    // "A world map, a desk" is a list.
+    let article = get().is(word(tokens, 0), Class::Det) || get().is(word(tokens, 0), Class::Def);
+    (work && !named && !article && super::shares::noun(tokens, 0).is_none()).then_some(0..end)
 }
 
 /// "And please leave the wall beneath the window empty".

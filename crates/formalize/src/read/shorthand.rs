@@ -9,7 +9,8 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 12] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 13] = [
+        not_forgotten,
         on_for_by,
         made_from,
         between_them,
@@ -24,6 +25,21 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         out_front,
     ];
     turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "Do not forget a lamp": there is one. "Don't forget to add a lamp": add one.
+fn not_forgotten(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let not = i + usize::from(matches!(word(tokens, i), "do" | "please"));
+    let said = matches!(word(tokens, not), "not" | "don't" | "dont" | "never") && word(tokens, not + 1) == "forget";
+    if !said || i > 0 && matches!(word(tokens, i - 1), "do" | "please") {
+        return false;
+    }
+    match word(tokens, not + 2) {
+        "to" => drop(tokens.drain(i..not + 3)),
+        "about" => put(tokens, i, not + 3, &["there", "is"]),
+        _ => put(tokens, i, not + 2, &["there", "is"]),
+    }
+    true
 }
 
 fn is_number(tokens: &[Token], i: usize) -> bool {
@@ -209,6 +225,9 @@ mod tests {
     fn what_is_left_out_is_added() {
         for (text, becomes) in [
             ("a living room of 5 on 4 metres", "a living room 5 by 4 metres"),
+            ("do not forget two lamps.", "there is two lamps ."),
+            ("and don't forget to add a bin.", "and add a bin ."),
+            ("forget the lamp.", "forget the lamp ."),
             ("a lamp on 4 metres", "a lamp on 4 metres"),
             ("a low table from glass, a sofa", "a low table of glass , a sofa"),
             ("a path from glass doors", "a path from glass doors"),

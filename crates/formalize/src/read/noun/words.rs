@@ -177,6 +177,8 @@ impl Scan<'_> {
             && plural(self.text(used + n - 1))
             && self.lexicon.verb(self.from(used + n - 1)).is_some()
             && (self.last_det != Det::Definite || stands_somewhere(self.from(used + n)))
+            // "An umbrella stands." is a stand.
+            && self.rest.get(used + n).is_some_and(Token::word)
         {
             table = longest_noun(&here[..n - 1]);
         }
