@@ -273,10 +273,11 @@ impl Lexicon {
             let hangs = matches!(group, Group::Wall | Group::Ceiling) && nouns.get(last) == Some(&Group::Floor);
             // "Two umbrella stands": no umbrella that stands.
             let front = name.rsplit_once(' ').map_or("", |(front, _)| front);
-            let new = own.binary_search(&front).is_err() && scenelang_lang::nouns::noun(front).is_some();
-            let is_read = own.binary_search(&last).is_ok() && !hangs && !new || rooms.contains_key(name);
-            let is_either = words.get(name).is_some_and(|classes| classes.contains(&Class::Either));
-            if !is_read && !is_either {
+            let is_either = |name: &str| words.get(name).is_some_and(|classes| classes.contains(&Class::Either));
+            let is_new = own.binary_search(&front).is_err() && scenelang_lang::nouns::noun(front).is_some();
+            let hides = is_new && !is_either(front);
+            let is_read = own.binary_search(&last).is_ok() && !hangs && !hides || rooms.contains_key(name);
+            if !is_read && !is_either(name) {
                 nouns.entry(name).or_insert(group);
             }
         }

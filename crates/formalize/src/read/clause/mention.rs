@@ -80,7 +80,9 @@ impl Reader<'_> {
                 6
             } else if np.words.len() == 1 && item.words.contains(&head) && !item.opening() {
                 // "the wardrobe door" is no wardrobe, and a desk lamp is no desk; "the bar" may be the bar counter
-                let other = lexicon.noun(&head).zip(lexicon.noun(&item.head())).is_some_and(|(a, b)| a != b);
+                let other = lexicon.noun(&head).is_some_and(|group| {
+                    matches!(group, Group::Table | Group::Storage | Group::Bed | Group::Seat) && group != item.group
+                });
                 if other && !same_head && !same_tail { 0 } else { 3 }
             } else if np.words.len() == 1
                 && item.words.last().is_some_and(|w| w.len() > head.len() && w.ends_with(&head))
