@@ -150,11 +150,18 @@ fn is_two(plan: &Plan, thing: usize, relation: &str, more: &str) -> bool {
     let only = said.all(|s| {
         !matches!(s.source, ThingOrigin::Stated(_))
             || s.text.contains(relation)
+            || is_table_between(plan, &s.text)
             || s.text.contains("inside(")
             || s.text.contains("onFloor(")
     });
     let related = plan.draft.statements.iter().any(|s| s.text.contains(relation) && s.text.contains(more));
     related && only
+}
+
+/// Whether a statement puts a low table between the two, where it stands anyway.
+fn is_table_between(plan: &Plan, text: &str) -> bool {
+    let low = |t: &&DraftThing| t.count == 1 && t.size.is_some_and(|[_, h, _]| h < LOW);
+    plan.draft.things.iter().filter(low).any(|table| text.contains(&format!("between({}, ", table.name)))
 }
 
 /// Gives the two desks a place. Whether there is one.
@@ -223,7 +230,7 @@ fn table(plan: &mut Plan, first: &str, middle: f64) {
             && low
             && stand::group(&thing.category) == Group::Table
             && !plan.claimed.contains(at)
-            && !stand::placed(plan.draft, name)
+            && !stand::placed_where(plan.draft, name, None, &|s| !s.text.contains(&format!("between({name}, ")))
             && plan.draft.place_of(name).is_none()
     };
     let asked = (0..plan.draft.things.len()).find(is_low);

@@ -177,8 +177,10 @@ pub fn refine(brief: &mut Brief) {
         let kind = brief.rooms.get(thing.room).and_then(|room| kinds::of(&room.name));
         let is_on = |fact: &Fact| fact.of.contains(&at) && matches!(fact.what, FactKind::Rel(Rel::On, _));
         let rests = brief.facts.iter().any(is_on);
+        let counter = kind.filter(|_| !rests).and_then(|kind| counter_of_till(brief, at, kind));
         let meant = |name: &str| {
-            let (_, noun) = kind?.means.iter().find(|(said, _)| *said == name)?;
+            let said = kind?.means.iter().find(|(said, _)| *said == name);
+            let noun = said.map(|(_, noun)| noun).or(counter.as_ref().filter(|_| name == plain))?;
             // "A cash register on a counter" is no till that stands on the floor.
             (known(noun) && !(rests && stand::group(noun) != Group::Top)).then(|| (*noun).to_owned())
         };
@@ -209,6 +211,19 @@ pub fn refine(brief: &mut Brief) {
             }
         }
     }
+}
+
+/// "The till next to the entrance" is the counter of such a room that carries one, unless the request names a counter.
+fn counter_of_till(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<&'static str> {
+    let counters = ["counter", "desk", "checkout", "bar"];
+    let is_till = |thing: &Thing| matches!(thing.words.last().map(String::as_str), Some("till" | "register"));
+    let is_counter = |thing: &Thing| thing.words.last().is_some_and(|word| counters.contains(&word.as_str()));
+    let room = brief.things[at].room;
+    if !is_till(&brief.things[at]) || brief.things.iter().any(|other| other.room == room && is_counter(other)) {
+        return None;
+    }
+    let carries = |noun: &&str| groups::of(noun, kind.dress).iter().any(|part| part.noun == "till");
+    kind.lines.iter().map(|line| line.noun).find(carries)
 }
 
 /// "A kitchen with an L-shaped counter": the worktops of such a kitchen turn a corner, with its appliances between them.

@@ -119,8 +119,11 @@ fn wide(tokens: &mut Vec<Token>, i: usize) -> bool {
         return false;
     }
     let is_wide = |k: usize| usize::from(word(tokens, k) == "wide");
-    let (from, to, end) = if word(tokens, i) == "aisles" {
-        let of = i + 1 + usize::from(matches!(word(tokens, i + 1), "of" | "are"));
+    let kind = |k: usize| usize::from(matches!(word(tokens, k), "cold" | "hot" | "clear" | "main"));
+    let article = usize::from(matches!(word(tokens, i), "a" | "an" | "one"));
+    let first = i + article + kind(i + article);
+    let (from, to, end) = if matches!(word(tokens, first), "aisle" | "aisles") {
+        let of = first + 1 + usize::from(matches!(word(tokens, first + 1), "of" | "are"));
         let Some(to) = length(tokens, of) else { return false };
         (of, to, to + is_wide(to))
     } else {
@@ -179,6 +182,10 @@ mod tests {
             ),
             ("four rows of racks and aisles at least 2 m wide", "four rows of racks and at least 2 m between the rows"),
             ("two rows of racks, 1.2 m cold aisle between them", "two rows of racks , 1.2 m between the rows"),
+            (
+                "two rows of racks, hot aisle 1.2 m between them, a desk",
+                "two rows of racks , 1.2 m between the rows , a desk",
+            ),
             ("six racks with 2 m aisles", "six racks , 2 m apart"),
             (
                 "three lab benches in parallel with 1.2 m aisles between them",

@@ -174,7 +174,9 @@ fn with_at_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// Ends a list at a comma, after which another begins.
 pub(super) fn goes_on(tokens: &mut Vec<Token>, comma: usize, and: usize) {
-    let verb = if word(tokens, comma + 1 + and) == "a" || word(tokens, comma + 1 + and) == "an" { "is" } else { "are" };
+    let first = word(tokens, comma + 1 + and);
+    let bare = noun(tokens, comma + 1 + and).is_some_and(|name| !plural(word(tokens, name.end - 1)));
+    let verb = if matches!(first, "a" | "an") || bare { "is" } else { "are" };
     let own = tokens[comma].clone();
     let new = |kind: WordKind, text: &str| Token { kind, text: text.to_owned(), ..own.clone() };
     let words = [new(WordKind::Sign('.'), "."), new(WordKind::Word, "there"), new(WordKind::Word, verb)];
@@ -216,6 +218,10 @@ fn closing(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
         } else if tokens[k].is(",") {
             let plus = word(tokens, k + 1) == "plus";
             let and = usize::from(plus || word(tokens, k + 1) == "and");
+            // "Each with a monitor and a chair, printer by the door": notes leave articles out.
+            if closed && and == 0 && noun(tokens, k + 1).is_some() {
+                return Some(k);
+            }
             if !item(tokens, k + 1 + and) {
                 return None;
             }
@@ -284,6 +290,10 @@ mod tests {
                 "eight workbenches along the two long walls with vices . there is a rack and a stool",
             ),
             ("two desks, each with a lamp and a chair", "two desks , each with a lamp and a chair"),
+            (
+                "two desks, each with a lamp and a chair, printer near the door, some plants",
+                "two desks , each with a lamp and a chair . there is printer near the door , some plants",
+            ),
             (
                 "five tables with two chairs each, a bench by the window and a plant.",
                 "five tables with two chairs each . there is a bench by the window and a plant .",

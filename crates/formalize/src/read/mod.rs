@@ -9,6 +9,7 @@
 //! what they have. Its grammar is one of heads: a noun phrase it does not know is a thing all the same, and every word
 //! of which nothing came is in the notes. It takes time in proportion to the text.
 
+mod above;
 mod account;
 mod activities;
 mod aisles;

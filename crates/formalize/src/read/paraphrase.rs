@@ -11,9 +11,10 @@ pub fn plain(tokens: &mut Vec<Token>) {
     // No text becomes so much longer: whatever rules make of it, reading ends.
     let most = 8 * tokens.len() + 500;
     while i < tokens.len() && tokens.len() < most {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 78] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 79] = [
             super::spelling::plain,
             super::shorthand::plain,
+            super::above::plain,
             super::walkways::plain,
             super::compounds::plain,
             super::activities::plain,

@@ -62,6 +62,7 @@ pub fn lift(tokens: &mut Vec<Token>) -> Vec<Note> {
             .or_else(|| see_if(tokens, i))
             .or_else(|| about(tokens, i))
             .or_else(|| own_use(tokens, i))
+            .or_else(|| to_use(tokens, i))
             .or_else(|| unlike(tokens, i))
             .or_else(|| stands(tokens, i))
             .or_else(|| title(tokens, i))
@@ -136,6 +137,26 @@ fn own_use(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     let own = matches!(word(tokens, on), "my" | "his" | "her" | "their" | "our");
     let end = on + 2;
     (acts && own && tokens.get(end).is_none_or(|t| !t.word() || t.is("and"))).then_some(i..end)
+}
+
+/// "A bench to try shoes on", "a table to eat at": what a thing is used for.
+fn to_use(tokens: &[Token], i: usize) -> Option<Range<usize>> {
+    const USES: [&str; 19] = [
+        "try", "sit", "eat", "read", "work", "put", "change", "lie", "sleep", "wait", "write", "draw", "play", "fold",
+        "relax", "rest", "sort", "wrap", "drink",
+    ];
+    const FAR: usize = 4;
+    let used = word(tokens, i) == "to" && i > 0 && USES.contains(&word(tokens, i + 1));
+    let after = used && (i.saturating_sub(3)..i).any(|k| super::shares::noun(tokens, k).is_some_and(|n| n.end == i));
+    let particle = |k: usize| matches!(word(tokens, k), "on" | "at" | "in" | "from" | "with" | "down" | "off");
+    // Nothing follows that the particle could lead to.
+    let free = |k: usize| {
+        !tokens.get(k).is_some_and(Token::word)
+            || matches!(word(tokens, k), "and" | "in" | "at" | "by" | "near" | "next" | "against" | "under" | "beside")
+    };
+    let end = (i + 2..i + 2 + FAR).take_while(|k| tokens.get(*k).is_some_and(Token::word));
+    let mut end = end.filter(|k| particle(*k)).map(|k| k + 1);
+    end.find(|end| free(*end)).filter(|_| after).map(|end| i..end)
 }
 
 /// "But please not like a souvenir shop": what it is not like is nothing in it.
@@ -319,6 +340,9 @@ mod tests {
                 2,
             ),
             ("a chair for putting on his socks, a bed", "a chair , a bed", 1),
+            ("a bench to try shoes on in the middle, a mirror", "a bench in the middle , a mirror", 1),
+            ("a table to eat at, two chairs", "a table , two chairs", 1),
+            ("a shelf to put on the wall", "a shelf to put on the wall", 0),
             ("a room for testing a robot", "a room for testing a robot", 0),
             ("chairs of wood, but please not like souvenir shop, no flags", "chairs of wood , , no flags", 1),
             ("the bar has ten stools and a bartender behind it.", "the bar has ten stools .", 1),

@@ -79,12 +79,22 @@ fn behind_things(tokens: &mut Vec<Token>) {
     // Where the room has a size of its own, another one is that of a thing.
     let own = (room.end..room.end + 4).any(|k| sized(k).is_some());
     let comma = |k: &usize| tokens[*k].is(",");
-    let Some((at, size)) = (room.end..first).filter(comma).find_map(|k| Some((k, sized(k + 1)?))) else { return };
+    let within = (room.end..first).filter(comma).find_map(|k| Some((k, sized(k + 1)?)));
+    // "A library that a robot drives in. Maybe 15 by 12 m, five shelves".
+    let next = || Some((first, sized(first + 1)?)).filter(|_| first > room.end);
+    let Some((at, size)) = within.or_else(next) else { return };
     let ends = tokens.get(size.end).is_none_or(|t| !t.word());
-    if own || !ends || at == room.end || is_as_large(tokens, at, &size) {
+    if own || !ends || at == room.end || at != first && is_as_large(tokens, at, &size) {
         return;
     }
-    let said: Vec<Token> = tokens.drain(at..size.end).collect();
+    let said: Vec<Token> = if at == first {
+        // The sentence before it ends where it did.
+        let like = tokens[at].clone();
+        let size: Vec<Token> = tokens.drain(at + 1..size.end).collect();
+        std::iter::once(Token { kind: WordKind::Sign(','), ..like.saying(",") }).chain(size).collect()
+    } else {
+        tokens.drain(at..size.end).collect()
+    };
     tokens.splice(room.end..room.end, said);
     let end = room.end + size.end - at;
     // What followed the name goes on after another comma.
@@ -117,6 +127,10 @@ mod tests {
                 "a ward , 9.0 m x 7.2 m , for testing a robot , ceiling 2.8 m .",
             ),
             ("a pub, low beams, maybe 7 by 5 metres.", "a pub , about 7 by 5 metres , low beams ."),
+            (
+                "a library a robot drives in. Maybe 15 by 12 metres, five shelves.",
+                "a library , about 15 by 12 metres , a robot drives in . , five shelves .",
+            ),
             ("a study, 3 by 4 m, a rug, 2 by 3 m", "a study , 3 by 4 m , a rug , 2 by 3 m"),
             ("a hall with a rug, 2 by 3 m", "a hall with a rug , 2 by 3 m"),
             ("a hall with a stage, 4 by 3 m", "a hall with a stage , 4 by 3 m"),

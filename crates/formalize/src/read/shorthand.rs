@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 13] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 15] = [
         not_forgotten,
         on_for_by,
         made_from,
@@ -23,6 +23,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         on_wall,
         relatives,
         out_front,
+        behind_me,
+        stocked,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -217,6 +219,47 @@ fn out_front(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// "A bookcase behind me": behind the chair that one sits on at the desk.
+fn behind_me(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "behind" && matches!(word(tokens, i + 1), "me" | "you" | "us");
+    if !said {
+        return false;
+    }
+    let at = |k: usize| noun(tokens, k).filter(|name| name.end <= i);
+    let is_chair = |name: &std::ops::Range<usize>| matches!(word(tokens, name.end - 1), "chair" | "stool");
+    let name: Vec<String> = match (0..i).rev().filter_map(at).find(is_chair) {
+        Some(chair) => {
+            let from = (chair.end.saturating_sub(4)..chair.start).find(|k| at(*k).is_some_and(|n| n.end == chair.end));
+            (from.unwrap_or(chair.start)..chair.end).map(|k| word(tokens, k).to_owned()).collect()
+        }
+        // Who sits at a desk sits on a chair.
+        None if (0..i).any(|k| matches!(word(tokens, k), "desk" | "workstation")) => vec!["chair".to_owned()],
+        None => return false,
+    };
+    let ends = usize::from(word(tokens, i + 2) == "and");
+    let words = std::iter::once("the").chain(name.iter().map(String::as_str)).chain([","].into_iter().take(ends));
+    put(tokens, i + 1, i + 2, &words.collect::<Vec<_>>());
+    if ends == 1 {
+        tokens[i + 2 + name.len()].kind = WordKind::Sign(',');
+    }
+    true
+}
+
+/// "Three rows of shelves stocked both sides": three rows of shelves.
+fn stocked(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let filled = matches!(word(tokens, i), "stocked" | "filled" | "accessible" | "loaded" | "usable");
+    let on = i + 1 + usize::from(matches!(word(tokens, i + 1), "on" | "from" | "at"));
+    let said = filled && word(tokens, on) == "both" && word(tokens, on + 1) == "sides" && i > 0;
+    let stands =
+        matches!(word(tokens, i.wrapping_sub(1)), "shelves" | "racks" | "gondolas" | "shelving" | "bookshelves");
+    if said && stands {
+        // Those that stand in rows are open on both sides.
+        let shelves = tokens[i - 1].text.clone();
+        put(tokens, i - 1, on + 2, &[&shelves]);
+    }
+    said && stands
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::paraphrase::plainly;
@@ -244,6 +287,9 @@ mod tests {
             ("a ward with five beds, two per side", "a ward with five beds , two per side"),
             ("a shelf on left wall", "a shelf on the left wall"),
             ("a bench out front of the window", "a bench in front of the window"),
+            ("an office chair, a bookcase behind me", "an office chair , a bookcase behind the office chair"),
+            ("a bookcase behind me", "a bookcase behind me"),
+            ("3 rows of shelves stocked on both sides", "3 rows of shelves"),
             ("seven desks, two rows of three.", "seven desks , two rows of three ."),
         ] {
             assert_eq!(plainly(text), becomes);

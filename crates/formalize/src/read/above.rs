@@ -1,0 +1,119 @@
+//! What hangs above other things, where few words say so: "a vanity with a mirror" has it above it, and in "a workbench, a pegboard
+//! with tools above it" the board is above the bench.
+
+use super::lexicon::{get, plural, singular};
+use super::paraphrase::{ends, put, word};
+use super::shares::noun;
+use super::token::Token;
+use crate::brief::Group;
+use crate::furnish::stand;
+
+/// Turns what begins at a token; whether it did.
+pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
+    own_mirror(tokens, i) || with_tools(tokens, i)
+}
+
+/// "A vanity with mirror", "four styling stations with mirrors on one wall": a mirror above each of them.
+fn own_mirror(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const HOSTS: [&str; 16] = [
+        "vanity",
+        "washbasin",
+        "basin",
+        "sink",
+        "washstand",
+        "console",
+        "dresser",
+        "station",
+        "counter",
+        "sideboard",
+        "credenza",
+        "commode",
+        "fireplace",
+        "mantelpiece",
+        "mantel",
+        "shelf",
+    ];
+    let article = usize::from(matches!(word(tokens, i + 1), "a" | "an"));
+    let mirror = (i + 1 + article..i + 4 + article).find(|k| matches!(word(tokens, *k), "mirror" | "mirrors"));
+    let Some(mirror) = mirror.filter(|_| word(tokens, i) == "with" && i > 0) else { return false };
+    // "With a large round mirror".
+    if !(i + 1 + article..mirror).all(|k| get().is_look(word(tokens, k))) {
+        return false;
+    }
+    let host = word(tokens, i - 1).to_owned();
+    let named = HOSTS.contains(&singular(&host).as_str());
+    // Where it hangs may be said of what it belongs to.
+    let place = matches!(word(tokens, mirror + 1), "on" | "along" | "against" | "at");
+    let wall =
+        (mirror + 2..mirror + 6).take_while(|k| !word(tokens, *k).is_empty()).find(|k| word(tokens, *k) == "wall");
+    let end = match wall.filter(|_| place) {
+        Some(wall) => wall + 1,
+        None => mirror + 1,
+    };
+    if !named || !ends(tokens, end) {
+        return false;
+    }
+    let many = plural(&host);
+    let like = tokens[mirror].clone();
+    if word(tokens, mirror) == "mirrors" {
+        put(tokens, mirror, mirror + 1, &["mirror"]);
+    }
+    if article == 0 {
+        tokens.insert(i + 1, like.saying("a"));
+    }
+    let (mirror, end) = (mirror + 1 - article, end + 1 - article);
+    let place: Vec<Token> = tokens.drain(mirror + 1..end).collect();
+    let above = ["above", if many { "each" } else { "it" }].map(|text| like.saying(text));
+    tokens.splice(mirror + 1..mirror + 1, above);
+    tokens.splice(i..i, place);
+    true
+}
+
+/// "A workbench, a pegboard with tools above it": a pegboard above it with tools.
+fn with_tools(tokens: &mut [Token], i: usize) -> bool {
+    let above = (i + 2..i + 5).find(|k| matches!(word(tokens, *k), "above" | "over"));
+    let Some(above) = above.filter(|_| word(tokens, i) == "with" && i > 0) else { return false };
+    let it = matches!(word(tokens, above + 1), "it" | "them") && ends(tokens, above + 2);
+    let hangs = (i.saturating_sub(3)..i).find_map(|k| noun(tokens, k).filter(|name| name.end == i));
+    let Some(hangs) = hangs.filter(|_| it) else { return false };
+    let name = |range: std::ops::Range<usize>| {
+        let words: Vec<String> = range.map(|k| singular(word(tokens, k))).collect();
+        words.join(" ")
+    };
+    let on_wall = stand::group(&name(hangs.clone())) == Group::Wall || singular(word(tokens, hangs.end - 1)) == "shelf";
+    let small = noun(tokens, above - 1).is_some_and(|held| stand::group(&name(held)) == Group::Top);
+    // Something was named before it.
+    let sentence = tokens[..hangs.start].iter().rposition(Token::stops).map_or(0, |k| k + 1);
+    let before = (sentence..hangs.start).any(|k| noun(tokens, k).is_some());
+    let said = on_wall && small && before;
+    if said {
+        tokens[i..above + 2].rotate_left(above - i);
+    }
+    said
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::paraphrase::plainly;
+
+    #[test]
+    fn what_hangs_above_says_so() {
+        for (said, becomes) in [
+            ("a vanity with mirror, a bin", "a vanity with a mirror above it , a bin"),
+            ("a vanity with a mirror above it", "a vanity with a mirror above it"),
+            ("a console table with a large round mirror.", "a console table with a large round mirror ."),
+            (
+                "four styling stations with mirrors on one wall, a bench",
+                "four styling stations on one wall with a mirror above each . there is a bench",
+            ),
+            ("a wardrobe with a mirror", "a wardrobe with a mirror"),
+            (
+                "a workbench along the left wall, pegboard with tools above it, a fridge",
+                "a workbench along the left wall , pegboard above it with tools , a fridge",
+            ),
+            ("a bed, a shelf with a picture above it", "a bed , a shelf with a picture above it"),
+        ] {
+            assert_eq!(plainly(said), becomes);
+        }
+    }
+}
