@@ -77,6 +77,23 @@ pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>)
             .iter()
             .any(|f| f.of == [a] && !f.not && matches!(f.what, FactKind::Rel(Rel::LeftOf | Rel::RightOf, _)));
     let rows = if aside { n } else { rows.min(n) };
+    let lay = |rows: usize| lay(brief, sizes, a, room, rows, said, middle);
+    // Where nobody says how many rows, there are so many that these fit.
+    if said { lay(rows) } else { (rows..=n).find_map(lay) }
+}
+
+/// So many rows of an array, if the room has place for them. `said`: somebody says that there are rows; `middle`: how deep is what
+/// stands between them.
+fn lay(
+    brief: &Brief,
+    sizes: &[[f64; 3]],
+    a: usize,
+    room: Option<[f64; 3]>,
+    rows: usize,
+    said: bool,
+    middle: f64,
+) -> Option<Grid> {
+    let n = brief.count(a);
     let columns = n.div_ceil(rows);
     let [mut beside, mut behind] = steps(brief, sizes, a);
     // Who works at desks that face each other sits between them and their backs: the desks are back to back.
@@ -152,6 +169,10 @@ fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
     // Between the benches of a laboratory stand their sinks.
     let is_bench = thing.group == Group::Table && thing.head().ends_with("bench");
     let (mut beside, mut behind) = if is_rack { RACKS } else { (if is_bench { 0.7 } else { 0.5 }, 0.8) };
+    // Between racks is what is said, be it less than usual.
+    if is_rack && brief.facts.iter().any(|f| f.of.contains(&a) && matches!(f.what, FactKind::Rows(..))) {
+        behind = 0.0;
+    }
     for f in &brief.facts {
         let own = f.of.contains(&a);
         match &f.what {

@@ -209,7 +209,11 @@ fn load(brief: &Brief, out: &[[f64; 3]], b: usize) -> Load {
                 // A cushion is as large as its seat.
                 Rel::On if brief.things[*a].group == Group::Soft && brief.things[b].group == Group::Seat => {}
                 Rel::On => {
-                    area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08);
+                    // A dryer on a washer takes all of it.
+                    let stacked = each == 1.0 && [*a, b].iter().all(|it| brief.things[*it].group == Group::Floor);
+                    if !stacked {
+                        area += each * (out[*a][0] + 0.08) * (out[*a][2] + 0.08);
+                    }
                     // All of it rests there, turned as it may be; a cloth hangs down.
                     if brief.things[*a].group != Group::Soft {
                         let own = [out[*a][0].min(out[*a][2]), out[*a][0].max(out[*a][2])];

@@ -34,6 +34,7 @@ mod seek;
 mod slots;
 mod spots;
 mod spread;
+mod square;
 mod stacks;
 pub(crate) mod stand;
 pub(crate) mod styles;
@@ -671,6 +672,7 @@ fn named(brief: &mut Brief) {
 /// Adds to each room of a draft what such rooms have, in the colours that are asked for.
 pub fn furnish(draft: &mut Draft, brief: &Brief) {
     fill(draft, brief);
+    square::to_the_walls(draft);
     paint(draft, brief);
     palette::spare(draft, brief);
 }

@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn what_hangs_above_says_so() {
         for (said, becomes) in [
-            ("a vanity with mirror, a bin", "a vanity with a mirror above it , a bin"),
+            ("a vanity with mirror, a bin", "a vanity with a mirror above it . there is a bin"),
             ("a vanity with a mirror above it", "a vanity with a mirror above it"),
             ("a console table with a large round mirror.", "a console table with a large round mirror ."),
             (

@@ -93,10 +93,17 @@ fn long_rows(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
-/// "Three benches in parallel": parallel to each other.
+/// "Three benches in parallel": parallel to each other. Shelves stand one behind the other.
 fn in_parallel(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = word(tokens, i) == "in" && word(tokens, i + 1) == "parallel";
-    if said {
+    let shelves = |t: &Token| matches!(t.text.as_str(), "shelves" | "bookshelves" | "bookcases" | "racks" | "gondolas");
+    let all = (i.saturating_sub(4)..i).find_map(|k| count(&tokens[k..i]));
+    let all = all.filter(|(n, _)| (3.0..=12.0).contains(n) && i > 0 && shelves(&tokens[i - 1]));
+    let joined = matches!(word(tokens, i + 2), "with" | "to");
+    if let Some((n, _)) = all.filter(|_| said && !joined) {
+        put(tokens, i, i + 2, &["in", &n.to_string(), "rows"]);
+        tokens[i + 1].kind = WordKind::Number(n);
+    } else if said {
         put(tokens, i, i + 2, &["parallel", "to", "each", "other"]);
     }
     said
@@ -186,6 +193,7 @@ mod tests {
                 "two rows of racks, hot aisle 1.2 m between them, a desk",
                 "two rows of racks , 1.2 m between the rows , a desk",
             ),
+            ("five bookshelves in parallel in the middle.", "five bookshelves in 5 rows in the middle ."),
             ("six racks with 2 m aisles", "six racks , 2 m apart"),
             (
                 "three lab benches in parallel with 1.2 m aisles between them",

@@ -60,6 +60,19 @@ fn placed_after(tokens: &[Token], from: usize, end: usize) -> Option<usize> {
 /// "Two tables with six chairs each and a shelf": the shelf is there once.
 fn after_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     let before = (i.saturating_sub(4)..i).any(|k| noun(tokens, k).is_some_and(|noun| noun.end == i));
+    // "Four tables with two chairs each along the windows, and a desk".
+    let place = |k: &usize| tokens.get(*k).is_some_and(Token::word) && !tokens[*k].is("and");
+    let end =
+        (i + 1..i + 7).find(|k| !place(k)).filter(|end| *end > i + 2 && tokens.get(*end).is_some_and(|t| t.is(",")));
+    let related = get().relation(&tokens[(i + 1).min(tokens.len())..]).is_some();
+    if let Some(end) = end.filter(|_| before && related && word(tokens, i) == "each") {
+        let and = usize::from(word(tokens, end + 1) == "and");
+        let with = (1..=6).any(|n| i.checked_sub(n).is_some_and(|k| tokens[k].is("with")));
+        if with && item(tokens, end + 1 + and) {
+            goes_on(tokens, end, and);
+            return true;
+        }
+    }
     let comma = tokens.get(i + 1).is_some_and(|t| t.is(","));
     let and = usize::from(word(tokens, i + 1 + usize::from(comma)) == "and");
     let said = before && word(tokens, i) == "each" && (comma || and == 1);
@@ -79,10 +92,11 @@ fn after_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "Tables with a candle on each, a bar with stools, and a stand": the bar and the stand are there once.
+/// "Tables with a candle on each, a bar with stools, and a stand": the bar and the stand are there once. So is what follows "a
+/// counter with a till on it".
 fn on_each(tokens: &mut Vec<Token>, i: usize) -> bool {
     let said = matches!(word(tokens, i), "on" | "at" | "beside" | "above" | "under" | "behind")
-        && word(tokens, i + 1) == "each"
+        && matches!(word(tokens, i + 1), "each" | "it" | "top" | "them")
         && tokens.get(i + 2).is_some_and(|t| t.is(","));
     let and = usize::from(matches!(word(tokens, i + 3), "and" | "plus"));
     let with = || tokens[..i].iter().rev().take(8).any(|t| t.is("with"));
@@ -276,6 +290,10 @@ mod tests {
                 "two beds , and a bedside cabinet for each bed and a chair for each bed .",
             ),
             ("two tables with six chairs each and a shelf", "two tables with six chairs each , and a shelf"),
+            (
+                "four tables with two chairs each along the windows, and an information desk by the door.",
+                "four tables with two chairs each along the windows . there is an information desk by the door .",
+            ),
             ("two desks, each with a lamp, and a sofa", "two desks , each with a lamp . there is a sofa"),
             (
                 "two desks, each with a lamp, a chair, and a monitor",
@@ -290,6 +308,10 @@ mod tests {
                 "eight workbenches along the two long walls with vices . there is a rack and a stool",
             ),
             ("two desks, each with a lamp and a chair", "two desks , each with a lamp and a chair"),
+            (
+                "a counter with a till and a cake stand on it, six tables with two chairs each, and a bench.",
+                "a counter with a till and a cake stand on it . there are six tables with two chairs each . there is a bench .",
+            ),
             (
                 "two desks, each with a lamp and a chair, printer near the door, some plants",
                 "two desks , each with a lamp and a chair . there is printer near the door , some plants",

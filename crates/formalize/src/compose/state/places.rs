@@ -41,6 +41,8 @@ impl Named<'_> {
         let up = self.is_hung(a, rel);
         // Nothing that hangs on a wall leaves room for what is behind it.
         let verb = if up && deep.is_some() && place == Place::Wall && !opening { "prefer" } else { verb };
+        let turned = self.turned_walls(a, place, which);
+        let which = &turned[..];
         let mut say = |text: String| out.push(format!("{verb} {text};"));
         // What is no contact with the wall.
         if place == Place::Wall && !opening {
@@ -364,6 +366,18 @@ impl Named<'_> {
         place == Place::Front || place == Place::Back && !has_there
     }
 
+    /// The back wall of a classroom is behind those who sit in it.
+    fn turned_walls(&self, a: usize, place: Place, which: &[String]) -> Vec<String> {
+        let side = |word: &str| match word {
+            "front" => Some(Place::Front),
+            "back" | "rear" => Some(Place::Back),
+            _ => None,
+        };
+        let walls = matches!(place, Place::Wall | Place::Corner);
+        let turned = |word: &String| walls && side(word).is_some_and(|side| self.is_turned_round(a, side));
+        which.iter().map(|word| if turned(word) { opposite(word) } else { word.clone() }).collect()
+    }
+
     /// Whether the request says where in its room a thing is.
     pub fn is_somewhere(&self, a: usize) -> bool {
         let is_place = |f: &crate::brief::Fact| matches!(f.what, FactKind::Place(..)) && f.of.contains(&a) && !f.not;
@@ -403,7 +417,7 @@ impl Named<'_> {
 fn opposite(word: &str) -> String {
     match word {
         "front" => "back".into(),
-        "back" => "front".into(),
+        "back" | "rear" => "front".into(),
         other => other.into(),
     }
 }
