@@ -290,13 +290,17 @@ impl Plan<'_> {
         stated.filter(|s| mentions(&s.text, name) && !stand::is_path(s)).any(|s| is_subject(&s.text, name))
     }
 
-    /// Whether the request says that each of several things is in a corner, and nothing else of where they stand.
+    /// Whether the request says that something is in a corner, or each of several things, and nothing else of where it stands.
     pub(super) fn is_in_corners(&self, at: usize) -> bool {
         let thing = &self.draft.things[at];
-        let corners = format!("forall a in {}: inCorner(a, ", thing.name);
+        let name = &thing.name;
+        let corners = match thing.count {
+            1 => format!("inCorner({name}, "),
+            _ => format!("forall a in {name}: inCorner(a, "),
+        };
         let stated = self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
         let mut own = stated.filter(|s| is_subject(&s.text, &thing.name)).peekable();
-        thing.count > 1 && own.peek().is_some() && own.all(|s| s.text.starts_with(&corners))
+        own.peek().is_some() && own.all(|s| s.text.starts_with(&corners))
     }
 
     /// Whether a thing that is asked for gets its place with something of the inventory.

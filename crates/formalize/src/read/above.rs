@@ -5,8 +5,7 @@ use super::lexicon::{get, plural, singular};
 use super::paraphrase::{ends, put, word};
 use super::shares::noun;
 use super::token::Token;
-use crate::brief::Group;
-use crate::furnish::stand;
+use scenelang_lang::nouns::{self, Stands};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
@@ -80,8 +79,10 @@ fn with_tools(tokens: &mut [Token], i: usize) -> bool {
         let words: Vec<String> = range.map(|k| singular(word(tokens, k))).collect();
         words.join(" ")
     };
-    let on_wall = stand::group(&name(hangs.clone())) == Group::Wall || singular(word(tokens, hangs.end - 1)) == "shelf";
-    let small = noun(tokens, above - 1).is_some_and(|held| stand::group(&name(held)) == Group::Top);
+    let stands = |name: &str| nouns::ending(name).map(|noun| noun.stands);
+    let on_wall =
+        stands(&name(hangs.clone())) == Some(Stands::Wall) || singular(word(tokens, hangs.end - 1)) == "shelf";
+    let small = noun(tokens, above - 1).is_some_and(|held| stands(&name(held)) == Some(Stands::Top));
     // Something was named before it.
     let sentence = tokens[..hangs.start].iter().rposition(Token::stops).map_or(0, |k| k + 1);
     let before = (sentence..hangs.start).any(|k| noun(tokens, k).is_some());

@@ -292,7 +292,7 @@ mod tests {
             ("two tables with six chairs each and a shelf", "two tables with six chairs each , and a shelf"),
             (
                 "four tables with two chairs each along the windows, and an information desk by the door.",
-                "four tables with two chairs each along the windows . there is an information desk by the door .",
+                "four tables with two chairs each near the windows . there is an information desk by the door .",
             ),
             ("two desks, each with a lamp, and a sofa", "two desks , each with a lamp . there is a sofa"),
             (
