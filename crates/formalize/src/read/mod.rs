@@ -12,6 +12,7 @@
 mod account;
 mod activities;
 mod aisles;
+mod among;
 mod amounts;
 mod annexes;
 mod areas;
@@ -73,6 +74,7 @@ mod totals;
 mod unknown;
 mod unwrapped;
 mod walkways;
+mod ways;
 mod wheeled;
 mod whereabouts;
 mod which;
@@ -144,6 +146,8 @@ pub fn brief(request: &str) -> Brief {
     slips::correct(&mut tokens);
     chatter::courtesy(&mut tokens);
     counts::none(&mut tokens);
+    open_plan::joined(&mut tokens);
+    ways::plain(&mut tokens);
     let places = numbered::plain(&mut tokens);
     let styles = style::lift(&mut tokens);
     finishes::plain(&mut tokens);
