@@ -5,7 +5,7 @@ use super::chunk::{Chunk, ChunkPiece};
 use super::lexicon::get;
 use super::noun::Det;
 use super::rooms::Rooms;
-use super::several::{is_home, sleeps};
+use super::several::{Several, is_home, sleeps};
 use super::token::Token;
 
 /// What a building is called that has rooms.
@@ -118,6 +118,29 @@ fn of_a_kind(out: &mut Rooms, model: usize, chunks: &[Chunk], tokens: &[Token], 
             named += 1;
         }
     }
+    if named > 0 && named + 1 == out.several[model].count {
+        last_one(out, model, chunks);
+    }
+}
+
+/// "A guest room and their bedroom, which has twin beds", of two: what is said of one bedroom is said of the one without a name.
+fn last_one(out: &mut Rooms, model: usize, chunks: &[Chunk]) {
+    let is_one = |chunk: usize| {
+        chunks[chunk].np().is_some_and(|np| {
+            let one = !np.many && np.count.is_none() && np.nth.is_none();
+            one && matches!(np.det, Det::Definite | Det::Own) && np.name() == out.rooms[model].name
+        })
+    };
+    let said: Vec<usize> =
+        out.spoken.iter().filter(|(chunk, at)| **at == model && is_one(**chunk)).map(|(chunk, _)| *chunk).collect();
+    if said.is_empty() || out.rooms.len() >= super::rooms::MOST {
+        return;
+    }
+    let room = out.rooms[model].clone();
+    out.rooms.push(room);
+    out.several.push(Several { like: Some(model), ..Several::default() });
+    let last = out.rooms.len() - 1;
+    out.spoken.extend(said.into_iter().map(|chunk| (chunk, last)));
 }
 
 fn bytes(chunks: &[Chunk], tokens: &[Token], chunk: usize) -> std::ops::Range<usize> {

@@ -50,8 +50,9 @@ const SHARED: &str = "three";
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 10] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 11] = [
         which_bedroom,
+        shared,
         bunk_beds,
         own_bedroom,
         one_bedroom,
@@ -65,12 +66,10 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
     turns.iter().any(|turn| turn(tokens, i))
 }
 
-/// "The smaller bedroom" is the small bedroom, "the parents bedroom" that of the parents, and "the master has a bed" is said of the
-/// master bedroom.
+/// "The smaller bedroom" is the small bedroom, and "the parents bedroom" that of the parents.
 fn which_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
     const FAMILY: [&str; 5] = ["parents", "guests", "grandparents", "couple", "teens"];
     let is_room = matches!(word(tokens, i + 1), "bedroom" | "room" | "bathroom");
-    let has = |k: usize| matches!(word(tokens, k), "has" | "gets" | "needs" | "contains" | "with");
     let plain = match word(tokens, i) {
         "smaller" | "smallest" if is_room => "small",
         "larger" | "bigger" | "largest" | "biggest" if is_room => "large",
@@ -78,6 +77,7 @@ fn which_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
             tokens[i].owner = true;
             return false;
         }
+        "spare" if is_room => "guest",
         // A loft is one room.
         "living" if matches!(word(tokens, i + 1), "area" | "space") && is_home(tokens, i) => {
             let one = |t: &Token| matches!(t.text.as_str(), "studio" | "loft" | "tiny");
@@ -88,12 +88,34 @@ fn which_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
             put(tokens, i, i + 2, &["living", "room"]);
             return true;
         }
-        "master" if i > 0 && word(tokens, i - 1) == "the" && has(i + 1) && is_home(tokens, i) => "master bedroom",
         "other" if i > 0 && word(tokens, i - 1) == "the" => return other_bedroom(tokens, i, "other"),
         "smaller" | "small" | "second" if word(tokens, i + 1) == "one" => return other_bedroom(tokens, i, "other"),
         _ => return false,
     };
     put(tokens, i, i + 1, &plain.split(' ').collect::<Vec<_>>());
+    true
+}
+
+/// "The kids share a bedroom with bunk beds": the kids' bedroom has bunk beds. "One of the bathrooms belongs to the master bedroom":
+/// that has its own bathroom.
+fn shared(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let who = matches!(word(tokens, i), "kids" | "children" | "boys" | "girls" | "daughters" | "sons" | "twins");
+    let name = i + 2 + usize::from(matches!(word(tokens, i + 2), "a" | "the" | "one"));
+    let room = matches!(word(tokens, name), "bedroom" | "room") && matches!(word(tokens, name + 1), "with");
+    if who && word(tokens, i + 1) == "share" && room {
+        put(tokens, i + 1, name + 2, &["bedroom", "has"]);
+        tokens[i].owner = true;
+        return true;
+    }
+    let one = ["one", "of", "the", "bathrooms"].iter().enumerate().all(|(k, said)| word(tokens, i + k) == *said);
+    let of = match [word(tokens, i + 4), word(tokens, i + 5)] {
+        ["belongs", "to"] | ["is", "for" | "off"] => i + 6,
+        _ => return false,
+    };
+    let Some(end) = self::room(tokens, of + 1).filter(|_| one && word(tokens, of) == "the") else { return false };
+    let mut words: Vec<String> = (of..end).map(|k| tokens[k].text.clone()).collect();
+    words.extend(["has", "its", "own", "bathroom"].map(str::to_owned));
+    put(tokens, i, end, &words.iter().map(String::as_str).collect::<Vec<_>>());
     true
 }
 
@@ -157,11 +179,20 @@ fn bunk_beds(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// first bedroom, and the second one.
 fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
     let all = |k: &usize| {
-        matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices") || word(tokens, *k).ends_with("-bedroom")
+        // Of other rooms the whole name counts: "two consulting rooms".
+        let kind = *k > 0 && word(tokens, *k) == "rooms" && get().noun(word(tokens, k - 1)).is_none();
+        let named = kind && room(tokens, k - 1) == Some(k + 1);
+        named
+            || matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices")
+            || word(tokens, *k).ends_with("-bedroom")
     };
     let Some(plural) = (0..i).rev().find(all) else { return false };
     let hyphened = tokens[plural].text.ends_with("-bedroom");
-    let one = if hyphened { "bedroom".to_owned() } else { tokens[plural].text.trim_end_matches('s').to_owned() };
+    let one = match word(tokens, plural) {
+        "rooms" => format!("{} room", word(tokens, plural - 1)),
+        _ if hyphened => "bedroom".to_owned(),
+        many => many.trim_end_matches('s').to_owned(),
+    };
     if next_bedroom(tokens, i, &one) {
         return true;
     }
@@ -173,10 +204,20 @@ fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
         ["one", name] if named(i + 1) && name == one => put(tokens, i, i + 1, &["the", "first"]),
         ["the", "other"] if named(i + 2) && word(tokens, i + 2) == one => put(tokens, i + 1, i + 2, &["second"]),
         ["one", "with"] if i > 0 && tokens[i - 1].is(",") && plural + 2 == i => {
-            let and = (i + 2..tokens.len()).find(|k| word(tokens, *k) == "and" && word(tokens, k + 2) == "with");
-            let Some(and) = and.filter(|k| matches!(word(tokens, k + 1), "one")) else { return false };
-            for (from, to, which) in [(and, and + 3, "second"), (i - 1, i + 2, "first")] {
-                put(tokens, from, to, &[".", "the", which, &one, "has"]);
+            let stop = tokens[i..].iter().position(Token::stops).map_or(tokens.len(), |n| i + n);
+            let next = (i + 2..stop).find_map(|k| {
+                let joins = tokens[k].is("and") || tokens[k].is(",");
+                match [word(tokens, k + 1), word(tokens, k + 2), word(tokens, k + 3)] {
+                    ["one", "with", _] if joins => Some((k, k + 3)),
+                    ["the", "other", "with"] if joins => Some((k, k + 4)),
+                    ["the", "other", "one"] if joins && word(tokens, k + 4) == "with" => Some((k, k + 5)),
+                    _ => None,
+                }
+            });
+            let Some((and, end)) = next else { return false };
+            for (from, to, which) in [(and, end, "second"), (i - 1, i + 2, "first")] {
+                let words: Vec<&str> = [".", "the", which].into_iter().chain(one.split(' ')).chain(["has"]).collect();
+                put(tokens, from, to, &words);
                 tokens[from].kind = WordKind::Sign('.');
             }
         }
@@ -540,7 +581,6 @@ mod tests {
             ),
             ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
             ("a flat. the larger bedroom has a bed", "a flat . the large bedroom has a bed"),
-            ("a flat. the master has a bed", "a flat . the master bedroom has a bed"),
             (
                 "a two-bedroom flat. the main bedroom has a bed, and the other one has a desk",
                 "a two-bedroom flat . the main bedroom has a bed , and the other bedroom has a desk",

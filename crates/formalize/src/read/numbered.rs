@@ -2,7 +2,7 @@
 //! waiting room has …", "room one: a bed. Room two: a sofa"; and a place that is no room of its own: "a workshop in my garage".
 
 use super::lexicon::{get, singular};
-use super::number::count;
+use super::number::{count, small};
 use super::paraphrase::{put, word};
 use super::token::{Token, WordKind};
 use crate::furnish::kinds;
@@ -72,6 +72,8 @@ const AROUND: &str = "what the room is part of is ignored";
 pub fn plain(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {
     let around = within(tokens).map(|at| (at, AROUND.to_owned()));
     sized(tokens);
+    let _found = (0..tokens.len()).any(|i| beds_and_baths(tokens, i));
+    master(tokens);
     of_so_many(tokens);
     each_is(tokens);
     listed_with(tokens);
@@ -236,11 +238,20 @@ fn of_so_many(tokens: &mut Vec<Token>) {
     let from = (0..of).rev().find(|k| starts(tokens, *k) || matches!(word(tokens, *k), "a" | "an" | "my" | "our"));
     let named = from.filter(|from| of > *from && of - from <= LONGEST + 1 && (*from..of).all(|k| tokens[k].word()));
     let listed = tokens.get(i + 2).is_some_and(|t| matches!(t.kind, WordKind::Sign(',' | ':' | '—' | '.')));
-    if let (Some(_), true) = (named, of < i && listed && word(tokens, i - 1) == "of" && of + 1 == i) {
+    let counted = of < i && listed && word(tokens, i - 1) == "of" && (of + 1 == i || !stops(tokens, i + 2));
+    if let (Some(_), true) = (named, counted) {
         put(tokens, of, i, &["with"]);
         if matches!(word(tokens, of - 1), "suite" | "unit" | "complex") {
             let two = usize::from(of > 1 && get().room(word(tokens, of - 2)).is_some());
             put(tokens, of - 1 - two, of, &["building"]);
+        }
+    }
+    // "A kitchen area" is a room of its own where rooms are counted.
+    for k in (i + 2..tokens.len().saturating_sub(1)).rev() {
+        if matches!(word(tokens, k), "kitchen" | "waiting" | "reception") && word(tokens, k + 1) == "area" {
+            let name = tokens[k].text.clone();
+            let words = [name.as_str(), "room"];
+            put(tokens, k, k + 2, &words[..if name == "kitchen" { 1 } else { 2 }]);
         }
     }
     let goes_on =
@@ -253,6 +264,58 @@ fn of_so_many(tokens: &mut Vec<Token>) {
     for k in (0..tokens.len()).rev().filter(is_room).collect::<Vec<_>>() {
         put(tokens, k, k + 1, &["reception", "room"]);
     }
+}
+
+/// "The master has a bed", in a home: the master bedroom.
+fn master(tokens: &mut Vec<Token>) {
+    let has = |k: usize| matches!(word(tokens, k), "has" | "gets" | "needs" | "contains" | "with");
+    let is_home = |t: &Token| t.text.contains("bedroom") || super::several::is_home(&t.text);
+    let said = (1..tokens.len()).find(|k| {
+        word(tokens, k - 1) == "the" && word(tokens, *k) == "master" && has(k + 1) && tokens[..*k].iter().any(is_home)
+    });
+    if let Some(master) = said {
+        put(tokens, master, master + 1, &["master", "bedroom"]);
+    }
+}
+
+fn stops(tokens: &[Token], i: usize) -> bool {
+    tokens.get(i).is_none_or(Token::stops)
+}
+
+/// "A two-bed, two-bath apartment", "a 3 bed 2 bath house": a two-bedroom apartment with two bathrooms.
+fn beds_and_baths(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let counted = |k: usize, nouns: &[&str]| -> Option<(String, usize)> {
+        let text = tokens.get(k)?.text.as_str();
+        let number = |text: &str| text.parse::<usize>().ok().or_else(|| small(text).map(|n| n as usize));
+        if let Some((n, noun)) = text.split_once('-') {
+            return (nouns.contains(&noun) && number(n).is_some()).then(|| (n.to_owned(), k + 1));
+        }
+        (nouns.contains(&word(tokens, k + 1)) && number(text).is_some()).then(|| (text.to_owned(), k + 2))
+    };
+    let Some((beds, next)) = counted(i, &["bed", "beds", "bedroom", "bedrooms", "br"]) else { return false };
+    let joins = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.text.as_str(), "," | "/" | "and" | "&"));
+    let bath = next + usize::from(joins(next));
+    let baths = counted(bath, &["bath", "baths", "bathroom", "bathrooms", "ba"]);
+    let home = baths.as_ref().map_or(next, |(_, end)| *end);
+    if !super::several::is_home(word(tokens, home)) {
+        return false;
+    }
+    let like = tokens[i].clone();
+    let name = word(tokens, home).to_owned();
+    let mut said = vec![like.saying(&format!("{beds}-bedroom")), tokens[home].saying(&name)];
+    let with = word(tokens, home + 1) == "with";
+    if let Some((n, _)) = baths {
+        let number = match n.parse::<f64>() {
+            Ok(value) => Token { kind: WordKind::Number(value), ..like.saying(&n) },
+            Err(_) => like.saying(&n),
+        };
+        let one = matches!(n.as_str(), "1" | "one");
+        said.extend([like.saying("with"), number, like.saying(if one { "bathroom" } else { "bathrooms" })]);
+        said.extend(with.then(|| tokens[home + 1].saying(",")).map(|t| Token { kind: WordKind::Sign(','), ..t }));
+    }
+    let end = home + 1 + usize::from(with && said.len() > 2);
+    tokens.splice(i..end, said);
+    true
 }
 
 /// "A three-room office: a reception, …", where the rooms are named: an office with three rooms.
@@ -548,6 +611,19 @@ mod tests {
                 "three-room office: reception with a desk and a kitchen",
                 "a building with three rooms : reception room with a desk and a kitchen",
             ),
+            ("a two-bed, two-bath flat.", "a two-bedroom flat with two bathrooms ."),
+            ("a 3 bed 1 bath house with a hall", "a 3-bedroom house with 1 bathroom , a hall"),
+            ("a two bed room", "a two bed room"),
+            (
+                "a law office consisting of two rooms: reception and office.",
+                "a law office with two rooms : reception room and office .",
+            ),
+            (
+                "an office with three rooms: an open office with desks, a kitchen area with a table and a waiting area.",
+                "an office with an open office with desks , a kitchen with a table and a waiting room .",
+            ),
+            ("a flat. the master has a bed", "a flat . the master bedroom has a bed"),
+            ("the master has a desk", "the master has a desk"),
             ("a three-room flat", "a three-room flat"),
             (
                 "an office of two rooms. the first is a meeting room, and the other one should be a kitchen",

@@ -47,6 +47,7 @@ pub fn joined(tokens: &mut Vec<Token>) {
     let mut i = 0;
     while i < tokens.len() {
         hyphened(tokens, i);
+        are_one(tokens, i);
         let slash = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Sign('/')));
         let next = part(tokens, i).map(|(.., next)| next);
         if next.is_some_and(slash) && next.is_some_and(|next| part(tokens, next + 1).is_some()) {
@@ -62,6 +63,36 @@ pub fn joined(tokens: &mut Vec<Token>) {
             merge_by(tokens, i, i + 1, |t| t.is("and"));
         }
         i += 1;
+    }
+}
+
+/// "The kitchen and living area are open plan": an open-plan kitchen and living area. "A reception and waiting area": a reception.
+fn are_one(tokens: &mut Vec<Token>, i: usize) {
+    let waits = matches!(word(tokens, i + 2), "waiting") && matches!(word(tokens, i + 3), "area" | "room");
+    let and = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.text.as_str(), "and" | "/" | "&"));
+    if word(tokens, i) == "reception" && and(i + 1) && waits {
+        put(tokens, i, i + 4, &["reception", "area"]);
+        return;
+    }
+    if word(tokens, i + 2) == "diner" && tokens[i + 1].is("/") && part(tokens, i).is_some() {
+        "dining".clone_into(&mut tokens[i + 2].text);
+    }
+    let starts = i == 0 || !tokens[i - 1].word() || matches!(word(tokens, i - 1), "the" | "and");
+    let Some((_, _, next)) = part(tokens, i).filter(|_| starts) else { return };
+    let second = next + 1 + usize::from(word(tokens, next + 1) == "the");
+    let Some((_, _, end)) = part(tokens, second).filter(|_| word(tokens, next) == "and") else { return };
+    let are = end + usize::from(matches!(word(tokens, end), "are" | "should" | "is"));
+    let are = are + usize::from(word(tokens, are) == "be");
+    let said = match [word(tokens, are), word(tokens, are + 1)] {
+        ["open-plan" | "combined", _] => are + 1,
+        ["open", "plan"] | ["one", "room" | "space"] => are + 2,
+        _ => return,
+    };
+    let the = i - usize::from(i > 0 && word(tokens, i - 1) == "the");
+    if are > end && tokens.get(said).is_none_or(|t| !t.word()) {
+        let mut words: Vec<String> = vec!["there".into(), "is".into(), "an".into(), "open-plan".into()];
+        words.extend((i..next).chain([next]).chain(second..end).map(|k| tokens[k].text.clone()));
+        put(tokens, the, said, &words.iter().map(String::as_str).collect::<Vec<_>>());
     }
 }
 
@@ -292,6 +323,9 @@ mod tests {
             ("a bedroom/office with a bed", "a bedroom with a desk and a bed"),
             ("an open kitchen and living room and a hall", "an living room with a kitchen counter and a hall"),
             ("an open kitchen and a living room", "an open kitchen and a living room"),
+            ("a lounge/diner", "a living room with a dining table"),
+            ("a reception and waiting area", "a reception area"),
+            ("the kitchen and living area are open plan.", "there is an open-plan kitchen and living area ."),
             ("a black/white kitchen", "a black / white kitchen"),
         ] {
             let mut tokens = token::tokens(text, 100).0;

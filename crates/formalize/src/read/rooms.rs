@@ -84,14 +84,19 @@ impl Rooms {
 
     /// The room that a name means among those that were spoken of: by its name, or by what it ends with.
     fn named(&self, np: &Np, base: &str, is_known: bool) -> Option<usize> {
-        let own = self.rooms.iter().position(|r| {
-            let base_too = base != "room" || np.words.len() == 1;
-            r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))
-        });
+        let same = self.rooms.iter().position(|r| r.name == np.name());
+        let ends = || {
+            self.rooms.iter().position(|r| {
+                let base_too = base != "room" || np.words.len() == 1;
+                // A lawyer's office is no law office.
+                let plain = np.name() == base || r.name.ends_with(&format!(" {}", np.name()));
+                base_too && (r.name == base || plain && r.name.ends_with(&format!(" {base}")))
+            })
+        };
         // "A reception area … The reception has a desk": the same place.
         let name = np.name();
         let known = || self.rooms.iter().position(|r| place(&r.name) == place(&name));
-        own.or_else(|| known().filter(|_| is_known && np.count.is_none() && place(&name) != "dining"))
+        same.or_else(ends).or_else(|| known().filter(|_| is_known && np.count.is_none() && place(&name) != "dining"))
     }
 }
 

@@ -148,6 +148,10 @@ fn head(tokens: &[Token], k: usize, within: Range<usize>, is_first: bool) -> Opt
     let name = k + usize::from(article || number);
     let end = room(tokens, name, number).filter(|end| *end <= within.end)?;
     let has = has(tokens, end, within.end);
+    // "An office with three rooms: …" is what has the rooms.
+    if has.is_some_and(|has| super::numbered::several(tokens, has).is_some()) {
+        return None;
+    }
     let owned = matches!(word(tokens, k), "my" | "our");
     let ends = end == within.end || matches!(word(tokens, end), "," | "and" | "plus" | "then" | "at");
     // Alone before a comma it is what the sentence speaks of, and "a kitchen of 3 by 4 m" has a size.
@@ -229,7 +233,7 @@ fn split(tokens: &mut Vec<Token>, heads: &[Head], end: usize) -> usize {
         }
         said.push(Token { kind: WordKind::Sign('.'), ..like.saying(".") });
         said.push(tokens[head.name].saying("the"));
-        said.extend(called(tokens, head).into_iter().map(|t| t.saying(&t.text)));
+        said.extend(called(tokens, head).into_iter().map(|t| Token { owner: t.owner, ..t.saying(&t.text) }));
         match head.has {
             Some(has) => {
                 said.push(tokens[has - 1].saying(if head.several { "have" } else { "has" }));
@@ -321,6 +325,11 @@ mod tests {
                 "behind that is an open office with six desks, then an interview room with a mirror, and three prison cells.",
                 "behind that is a open office and a interview room and three prison cells . the open office has six desks . \
                  the interview room has a mirror .",
+            ),
+            (
+                "a law office with three rooms: a hall with a desk, a kitchen and a meeting room with a table.",
+                "a law office with three rooms : a hall and a kitchen and a meeting room . the hall has a desk . the meeting \
+                 room has a table .",
             ),
             ("a house. plus a kitchen and a bathroom.", "a house . the house has a kitchen and a bathroom ."),
             ("the door of the kitchen and a bench with a bag", "the door of the kitchen and a bench with a bag"),
