@@ -1,6 +1,7 @@
 //! Which rooms a request speaks of, before its things are read: a room is one only if it is a heading, has a size, is led
 //! to, or is what a sentence is about. "The door to the garden" makes no garden.
 
+use super::among::is_known;
 use super::chunk::{Chunk, ChunkPiece};
 use super::lexicon::{Verb, get};
 use super::noun::{Det, NounKind, Np};
@@ -215,8 +216,7 @@ fn spoken(chunks: &[Chunk], tokens: &[Token], listed: &Listed) -> Rooms {
             loose.push((i, np.name()));
             continue;
         }
-        let is_known = np.det != Det::Indefinite || super::among::is_known(chunks, tokens, i);
-        if let Some(room) = out.named(np, &base, is_known) {
+        if let Some(room) = out.named(np, &base, np.det != Det::Indefinite || is_known(chunks, tokens, i)) {
             out.spoken.insert(i, room);
             continue;
         }
