@@ -50,9 +50,111 @@ const SHARED: &str = "three";
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 9] =
-        [bunk_beds, own_bedroom, one_bedroom, rooms_listed, in_rooms, another_room, whose, lives, own_kitchen];
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 11] = [
+        which_bedroom,
+        shared,
+        bunk_beds,
+        own_bedroom,
+        one_bedroom,
+        rooms_listed,
+        in_rooms,
+        another_room,
+        whose,
+        lives,
+        own_kitchen,
+    ];
     turns.iter().any(|turn| turn(tokens, i))
+}
+
+/// "The smaller bedroom" is the small bedroom, and "the parents bedroom" that of the parents.
+fn which_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const FAMILY: [&str; 5] = ["parents", "guests", "grandparents", "couple", "teens"];
+    let is_room = matches!(word(tokens, i + 1), "bedroom" | "room" | "bathroom");
+    let plain = match word(tokens, i) {
+        "smaller" | "smallest" if is_room => "small",
+        "larger" | "bigger" | "largest" | "biggest" if is_room => "large",
+        who if is_room && (FAMILY.contains(&who) || CHILDREN.contains(&who)) => {
+            tokens[i].owner = true;
+            return false;
+        }
+        "spare" if is_room => "guest",
+        // A loft is one room.
+        "living" if matches!(word(tokens, i + 1), "area" | "space") && is_home(tokens, i) => {
+            let one = |t: &Token| matches!(t.text.as_str(), "studio" | "loft" | "tiny");
+            let open = |k: &usize| tokens[*k].text.starts_with("open") || tokens[*k].text.starts_with("combin");
+            if tokens.iter().any(one) || (i.saturating_sub(6)..i).any(|k| open(&k)) || !ends_or_has(tokens, i + 2) {
+                return false;
+            }
+            put(tokens, i, i + 2, &["living", "room"]);
+            return true;
+        }
+        "other" if i > 0 && word(tokens, i - 1) == "the" => return other_bedroom(tokens, i, "other"),
+        "smaller" | "small" | "second" if word(tokens, i + 1) == "one" => return other_bedroom(tokens, i, "other"),
+        _ => return false,
+    };
+    put(tokens, i, i + 1, &plain.split(' ').collect::<Vec<_>>());
+    true
+}
+
+/// "The kids share a bedroom with bunk beds": the kids' bedroom has bunk beds. "One of the bathrooms belongs to the master bedroom":
+/// that has its own bathroom.
+fn shared(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let who = matches!(word(tokens, i), "kids" | "children" | "boys" | "girls" | "daughters" | "sons" | "twins");
+    let name = i + 2 + usize::from(matches!(word(tokens, i + 2), "a" | "the" | "one"));
+    let room = matches!(word(tokens, name), "bedroom" | "room") && matches!(word(tokens, name + 1), "with");
+    if who && word(tokens, i + 1) == "share" && room {
+        put(tokens, i + 1, name + 2, &["bedroom", "has"]);
+        tokens[i].owner = true;
+        return true;
+    }
+    let one = ["one", "of", "the", "bathrooms"].iter().enumerate().all(|(k, said)| word(tokens, i + k) == *said);
+    let of = match [word(tokens, i + 4), word(tokens, i + 5)] {
+        ["belongs", "to"] | ["is", "for" | "off"] => i + 6,
+        _ => return false,
+    };
+    let Some(end) = self::room(tokens, of + 1).filter(|_| one && word(tokens, of) == "the") else { return false };
+    let mut words: Vec<String> = (of..end).map(|k| tokens[k].text.clone()).collect();
+    words.extend(["has", "its", "own", "bathroom"].map(str::to_owned));
+    put(tokens, i, end, &words.iter().map(String::as_str).collect::<Vec<_>>());
+    true
+}
+
+/// Whether the name of a room may end before a token.
+fn ends_or_has(tokens: &[Token], i: usize) -> bool {
+    let verb = tokens.get(i..i + 1).is_some_and(|t| get().verb(t).is_some());
+    tokens.get(i).is_none_or(|t| !t.word())
+        || verb
+        || matches!(word(tokens, i), "with" | "and" | "there" | "put" | "has")
+}
+
+/// "A two-bedroom flat. The main bedroom has a bed, and the other one has a desk", "the smaller one a crib": the other bedroom.
+fn other_bedroom(tokens: &mut Vec<Token>, i: usize, which: &str) -> bool {
+    const WHICH: [&str; 6] = ["main", "master", "primary", "large", "small", "guest"];
+    let one = word(tokens, i + 1) == "one";
+    let end = i + 1 + usize::from(one);
+    let has = matches!(word(tokens, end), "has" | "gets" | "needs" | "contains" | "is");
+    let listed = one && (matches!(word(tokens, end), "a" | "an") || counts(tokens, end));
+    let plural = |k: &usize| word(tokens, *k) == "bedrooms" || word(tokens, *k).ends_with("-bedroom");
+    let Some(counted) = (0..i).rev().find(plural).filter(|_| has || listed) else { return false };
+    let two = counted > 0 && count(&tokens[counted - 1..counted]).is_some_and(|(n, _)| n == 2.0);
+    let named = (counted..i).any(|k| WHICH.contains(&word(tokens, k)) && word(tokens, k + 1) == "bedroom");
+    // The room that was spoken of last is a bedroom.
+    let last = (counted..i).rev().find_map(|k| room(tokens, k));
+    let said =
+        (two || hyphened(tokens, counted)) && named && last.is_some_and(|end| word(tokens, end - 1) == "bedroom");
+    if said {
+        let words = [which, "bedroom", "has"];
+        put(tokens, i, end, &words[..if has { 2 } else { 3 }]);
+        let the = i - 1;
+        if listed && the > 0 && (tokens[the - 1].is(",") || tokens[the - 1].is("and")) {
+            tokens[the - 1] = Token { kind: WordKind::Sign('.'), ..tokens[the - 1].saying(".") };
+        }
+    }
+    said
+}
+
+fn counts(tokens: &[Token], i: usize) -> bool {
+    count(tokens.get(i..i + 1).unwrap_or_default()).is_some()
 }
 
 /// "A room for two boys with bunk beds": a bunk bed, in which both sleep.
@@ -77,11 +179,20 @@ fn bunk_beds(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// first bedroom, and the second one.
 fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
     let all = |k: &usize| {
-        matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices") || word(tokens, *k).ends_with("-bedroom")
+        // Of other rooms the whole name counts: "two consulting rooms".
+        let kind = *k > 0 && word(tokens, *k) == "rooms" && get().noun(word(tokens, k - 1)).is_none();
+        let named = kind && room(tokens, k - 1) == Some(k + 1);
+        named
+            || matches!(word(tokens, *k), "bedrooms" | "bathrooms" | "offices")
+            || word(tokens, *k).ends_with("-bedroom")
     };
     let Some(plural) = (0..i).rev().find(all) else { return false };
     let hyphened = tokens[plural].text.ends_with("-bedroom");
-    let one = if hyphened { "bedroom".to_owned() } else { tokens[plural].text.trim_end_matches('s').to_owned() };
+    let one = match word(tokens, plural) {
+        "rooms" => format!("{} room", word(tokens, plural - 1)),
+        _ if hyphened => "bedroom".to_owned(),
+        many => many.trim_end_matches('s').to_owned(),
+    };
     if next_bedroom(tokens, i, &one) {
         return true;
     }
@@ -93,14 +204,53 @@ fn one_bedroom(tokens: &mut Vec<Token>, i: usize) -> bool {
         ["one", name] if named(i + 1) && name == one => put(tokens, i, i + 1, &["the", "first"]),
         ["the", "other"] if named(i + 2) && word(tokens, i + 2) == one => put(tokens, i + 1, i + 2, &["second"]),
         ["one", "with"] if i > 0 && tokens[i - 1].is(",") && plural + 2 == i => {
-            let and = (i + 2..tokens.len()).find(|k| word(tokens, *k) == "and" && word(tokens, k + 2) == "with");
-            let Some(and) = and.filter(|k| matches!(word(tokens, k + 1), "one")) else { return false };
-            for (from, to, which) in [(and, and + 3, "second"), (i - 1, i + 2, "first")] {
-                put(tokens, from, to, &[".", "the", which, &one, "has"]);
+            let stop = tokens[i..].iter().position(Token::stops).map_or(tokens.len(), |n| i + n);
+            let next = (i + 2..stop).find_map(|k| {
+                let joins = tokens[k].is("and") || tokens[k].is(",");
+                match [word(tokens, k + 1), word(tokens, k + 2), word(tokens, k + 3)] {
+                    ["one", "with", _] if joins => Some((k, k + 3)),
+                    ["the", "other", "with"] if joins => Some((k, k + 4)),
+                    ["the", "other", "one"] if joins && word(tokens, k + 4) == "with" => Some((k, k + 5)),
+                    _ => None,
+                }
+            });
+            let Some((and, end)) = next else { return false };
+            for (from, to, which) in [(and, end, "second"), (i - 1, i + 2, "first")] {
+                let words: Vec<&str> = [".", "the", which].into_iter().chain(one.split(' ')).chain(["has"]).collect();
+                put(tokens, from, to, &words);
                 tokens[from].kind = WordKind::Sign('.');
             }
         }
+        ["one", "for"] if i > 0 && tokens[i - 1].is(",") && plural + 2 == i => return one_for_each(tokens, i),
         _ => return false,
+    }
+    true
+}
+
+/// "Two bedrooms, one for the parents with a double bed and one for the kids with a bunk bed": the parents' bedroom has a double
+/// bed, and the kids' bedroom has a bunk bed.
+fn one_for_each(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WORDS: usize = 7;
+    let whom = |from: usize| -> Option<(String, usize)> {
+        let with = (from + 2..from + WORDS).find(|k| word(tokens, *k) == "with")?;
+        let who = tokens[from + 2..with].iter().find_map(|t| match t.text.as_str() {
+            "parents" | "couple" | "adults" | "guests" => Some(t.text.clone()),
+            child if CHILDREN.contains(&child) || matches!(child, "kids" | "children") => Some("kids".to_owned()),
+            _ => None,
+        });
+        Some((who?, with))
+    };
+    let stop = tokens[i..].iter().position(Token::stops).map_or(tokens.len(), |n| i + n);
+    let next = |k: &usize| {
+        let joins = tokens[*k].is("and") || tokens[*k].is(",");
+        joins && word(tokens, k + 1) == "one" && word(tokens, k + 2) == "for"
+    };
+    let (Some((first, with)), Some(and)) = (whom(i), (i + 2..stop).find(next)) else { return false };
+    let Some((second, end)) = whom(and + 1).filter(|(second, _)| *second != first) else { return false };
+    for (from, to, who) in [(and, end + 1, second), (i - 1, with + 1, first)] {
+        put(tokens, from, to, &[".", "the", &who, "bedroom", "has"]);
+        tokens[from].kind = WordKind::Sign('.');
+        tokens[from + 2].owner = true;
     }
     true
 }
@@ -161,7 +311,9 @@ fn next_bedroom(tokens: &mut Vec<Token>, i: usize, one: &str) -> bool {
 
 /// "Three rooms: a living room, a bedroom and a kitchen": these, and not three more.
 fn rooms_listed(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let counted = count(tokens.get(i..i + 1).unwrap_or_default()).is_some() && word(tokens, i + 1) == "rooms";
+    let number = count(tokens.get(i..i + 1).unwrap_or_default()).filter(|_| word(tokens, i + 1) == "rooms");
+    let all = |(n, _): (f64, usize)| super::numbered::listed(tokens, (i + 3).min(tokens.len())) as f64 >= n;
+    let counted = number.is_some_and(all);
     let listed = tokens.get(i + 2).is_some_and(|t| matches!(t.kind, WordKind::Sign(':')));
     let said = counted && listed && word(tokens, i + 3) == "a" && room(tokens, i + 4).is_some();
     if said {
@@ -224,7 +376,8 @@ fn another_room(tokens: &mut Vec<Token>, i: usize) -> bool {
     let name = |from: usize, end: usize| (from..end).map(|k| word(tokens, k)).collect::<Vec<_>>().join(" ");
     let own = name(article + 1, end);
     // A bar or a lounge in a hotel is a part of it, and so may be a kitchenette.
-    let is_room = get().noun(&own).is_none() && ROOMS.iter().any(|room| own.ends_with(room));
+    let is_room =
+        get().noun(&own).is_none() && (own.ends_with(" room") || ROOMS.iter().any(|room| own.ends_with(room)));
     let has = matches!(word(tokens, end), "with" | "has" | "containing");
     let kind = kinds::named(&own).map(|kind| kind.name);
     let begins = |k: usize| matches!(word(tokens, k), "a" | "an" | "the") && room(tokens, k + 1).is_some();
@@ -423,10 +576,27 @@ mod tests {
             ("a room for four kids with bunk beds", "a room for four kids with bunk beds"),
             (
                 "a two-bedroom flat with a living room with a sofa, one bedroom with a double bed, and a smaller bedroom with a desk.",
-                "a two-bedroom flat with a living room with a sofa . the first bedroom has a double bed . the second smaller bedroom \
+                "a two-bedroom flat with a living room with a sofa . the first bedroom has a double bed . the second small bedroom \
                  has a desk .",
             ),
             ("a room for my teenage daughter", "a bedroom for a teenage daughter"),
+            ("a flat. the larger bedroom has a bed", "a flat . the large bedroom has a bed"),
+            (
+                "a two-bedroom flat. the main bedroom has a bed, and the other one has a desk",
+                "a two-bedroom flat . the main bedroom has a bed , and the other bedroom has a desk",
+            ),
+            (
+                "two bedrooms, one for the parents with a bed and one for our son with a crib",
+                "two bedrooms . the parents bedroom has a bed . the kids bedroom has a crib",
+            ),
+            (
+                "two bedrooms. the larger bedroom has a bed, the smaller one two cribs",
+                "two bedrooms . the large bedroom has a bed . the other bedroom has two cribs",
+            ),
+            (
+                "the master has a bed, the other one a smaller lamp",
+                "the master has a bed , the other one a smaller lamp",
+            ),
             ("a bedroom for my twin daughters", "a bedroom for twin daughters"),
             ("a studio where a couple sleeps and works", "a studio for a couple with a desk"),
             ("a lamp on the desk and a cup on the shelf", "a lamp on the desk and a cup on the shelf"),

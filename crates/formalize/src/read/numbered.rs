@@ -2,7 +2,7 @@
 //! waiting room has …", "room one: a bed. Room two: a sofa"; and a place that is no room of its own: "a workshop in my garage".
 
 use super::lexicon::{get, singular};
-use super::number::count;
+use super::number::{count, small};
 use super::paraphrase::{put, word};
 use super::token::{Token, WordKind};
 use crate::furnish::kinds;
@@ -72,6 +72,10 @@ const AROUND: &str = "what the room is part of is ignored";
 pub fn plain(tokens: &mut Vec<Token>) -> Vec<(Range<usize>, String)> {
     let around = within(tokens).map(|at| (at, AROUND.to_owned()));
     sized(tokens);
+    let _found = (0..tokens.len()).any(|i| beds_and_baths(tokens, i));
+    master(tokens);
+    of_so_many(tokens);
+    each_is(tokens);
     listed_with(tokens);
     labelled(tokens);
     named_later(tokens);
@@ -104,7 +108,7 @@ fn starts(tokens: &[Token], i: usize) -> bool {
 }
 
 /// Where the name of a room ends that begins at a token.
-fn room(tokens: &[Token], i: usize) -> Option<usize> {
+pub(super) fn room(tokens: &[Token], i: usize) -> Option<usize> {
     let named = |n: &usize| {
         let name: Vec<String> = (i..i + n).map(|k| word(tokens, k).to_owned()).collect();
         let whole = name.join(" ");
@@ -116,7 +120,7 @@ fn room(tokens: &[Token], i: usize) -> Option<usize> {
 }
 
 /// A number of rooms: "two rooms".
-fn several(tokens: &[Token], i: usize) -> Option<usize> {
+pub(super) fn several(tokens: &[Token], i: usize) -> Option<usize> {
     let (n, used) = count(tokens.get(i..i + 1)?)?;
     let is_number = used == 1 && n.fract() == 0.0 && (2.0..=6.0).contains(&n);
     (is_number && matches!(word(tokens, i + 1), "rooms" | "spaces" | "areas")).then_some(n as usize)
@@ -217,6 +221,152 @@ fn listed_with(tokens: &mut Vec<Token>) {
     } else {
         tokens.drain(i..i + 2);
     }
+}
+
+/// "An office suite of three rooms" is a building with three rooms, and so is "a three-room office: …". Where rooms are counted, a
+/// reception is one of them.
+fn of_so_many(tokens: &mut Vec<Token>) {
+    const OF: [&str; 6] = ["made", "consisting", "consists", "comprised", "composed", "comprising"];
+    hyphened(tokens);
+    let Some(i) = (1..tokens.len()).find(|i| several(tokens, *i).is_some()) else { return };
+    let of = match word(tokens, i - 1) {
+        "of" => i - 1 - usize::from(i > 1 && OF.contains(&word(tokens, i - 2))),
+        "with" | "has" | "having" | "comprising" | "containing" => i - 1,
+        _ => i,
+    };
+    // "Made of two rooms" that are all named later is read below.
+    let from = (0..of).rev().find(|k| starts(tokens, *k) || matches!(word(tokens, *k), "a" | "an" | "my" | "our"));
+    let named = from.filter(|from| of > *from && of - from <= LONGEST + 1 && (*from..of).all(|k| tokens[k].word()));
+    let listed = tokens.get(i + 2).is_some_and(|t| matches!(t.kind, WordKind::Sign(',' | ':' | '—' | '.')));
+    let counted = of < i && listed && word(tokens, i - 1) == "of" && (of + 1 == i || !stops(tokens, i + 2));
+    if let (Some(_), true) = (named, counted) {
+        put(tokens, of, i, &["with"]);
+        if matches!(word(tokens, of - 1), "suite" | "unit" | "complex") {
+            let two = usize::from(of > 1 && get().room(word(tokens, of - 2)).is_some());
+            put(tokens, of - 1 - two, of, &["building"]);
+        }
+    }
+    // "A kitchen area" is a room of its own where rooms are counted.
+    for k in (i + 2..tokens.len().saturating_sub(1)).rev() {
+        if matches!(word(tokens, k), "kitchen" | "waiting" | "reception") && word(tokens, k + 1) == "area" {
+            let name = tokens[k].text.clone();
+            let words = [name.as_str(), "room"];
+            put(tokens, k, k + 2, &words[..if name == "kitchen" { 1 } else { 2 }]);
+        }
+    }
+    let goes_on =
+        |k: usize| matches!(word(tokens, k), "desk" | "area" | "room" | "counter" | "stand" | "hall" | "table");
+    let is_room = |k: &usize| {
+        let before = k.checked_sub(1).map_or("", |k| tokens[k].text.as_str());
+        let begins = matches!(before, "a" | "the" | "one" | "," | ":" | "." | "and" | "—" | "\n");
+        tokens[*k].is("reception") && begins && !goes_on(k + 1)
+    };
+    for k in (0..tokens.len()).rev().filter(is_room).collect::<Vec<_>>() {
+        put(tokens, k, k + 1, &["reception", "room"]);
+    }
+}
+
+/// "The master has a bed", in a home: the master bedroom.
+fn master(tokens: &mut Vec<Token>) {
+    let has = |k: usize| matches!(word(tokens, k), "has" | "gets" | "needs" | "contains" | "with");
+    let is_home = |t: &Token| t.text.contains("bedroom") || super::several::is_home(&t.text);
+    let said = (1..tokens.len()).find(|k| {
+        word(tokens, k - 1) == "the" && word(tokens, *k) == "master" && has(k + 1) && tokens[..*k].iter().any(is_home)
+    });
+    if let Some(master) = said {
+        put(tokens, master, master + 1, &["master", "bedroom"]);
+    }
+}
+
+fn stops(tokens: &[Token], i: usize) -> bool {
+    tokens.get(i).is_none_or(Token::stops)
+}
+
+/// "A two-bed, two-bath apartment", "a 3 bed 2 bath house": a two-bedroom apartment with two bathrooms.
+fn beds_and_baths(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let counted = |k: usize, nouns: &[&str]| -> Option<(String, usize)> {
+        let text = tokens.get(k)?.text.as_str();
+        let number = |text: &str| text.parse::<usize>().ok().or_else(|| small(text).map(|n| n as usize));
+        if let Some((n, noun)) = text.split_once('-') {
+            return (nouns.contains(&noun) && number(n).is_some()).then(|| (n.to_owned(), k + 1));
+        }
+        (nouns.contains(&word(tokens, k + 1)) && number(text).is_some()).then(|| (text.to_owned(), k + 2))
+    };
+    let Some((beds, next)) = counted(i, &["bed", "beds", "bedroom", "bedrooms", "br"]) else { return false };
+    let joins = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.text.as_str(), "," | "/" | "and" | "&"));
+    let bath = next + usize::from(joins(next));
+    let baths = counted(bath, &["bath", "baths", "bathroom", "bathrooms", "ba"]);
+    let home = baths.as_ref().map_or(next, |(_, end)| *end);
+    if !super::several::is_home(word(tokens, home)) {
+        return false;
+    }
+    let like = tokens[i].clone();
+    let name = word(tokens, home).to_owned();
+    let mut said = vec![like.saying(&format!("{beds}-bedroom")), tokens[home].saying(&name)];
+    let with = word(tokens, home + 1) == "with";
+    if let Some((n, _)) = baths {
+        let number = match n.parse::<f64>() {
+            Ok(value) => Token { kind: WordKind::Number(value), ..like.saying(&n) },
+            Err(_) => like.saying(&n),
+        };
+        let one = matches!(n.as_str(), "1" | "one");
+        said.extend([like.saying("with"), number, like.saying(if one { "bathroom" } else { "bathrooms" })]);
+        said.extend(with.then(|| tokens[home + 1].saying(",")).map(|t| Token { kind: WordKind::Sign(','), ..t }));
+    }
+    let end = home + 1 + usize::from(with && said.len() > 2);
+    tokens.splice(i..end, said);
+    true
+}
+
+/// "A three-room office: a reception, …", where the rooms are named: an office with three rooms.
+fn hyphened(tokens: &mut Vec<Token>) {
+    let said = (0..tokens.len()).find_map(|i| {
+        let number = tokens[i].text.strip_suffix("-room")?.to_owned();
+        let (name, used) = (i + 1, 1 + usize::from(room(tokens, i + 2) == Some(i + 3)));
+        let listed = tokens.get(name + used).is_some_and(|t| matches!(t.kind, WordKind::Sign(':' | '—')));
+        (listed && get().room(word(tokens, name + used - 1)).is_some()).then_some((i, number, name + used))
+    });
+    let Some((i, number, end)) = said else { return };
+    let like = tokens[i].clone();
+    let number = match number.parse::<f64>() {
+        Ok(n) => Token { kind: WordKind::Number(n), ..like.saying(&number) },
+        Err(_) => like.saying(&number),
+    };
+    let name = word(tokens, end - 1).to_owned();
+    tokens.splice(end..end, [like.saying("with"), number, like.saying("rooms")]);
+    if !super::several::is_home(&name) {
+        put(tokens, i + 1, end, &["building"]);
+    }
+    tokens.remove(i);
+    if !starts(tokens, i) || matches!(word(tokens, i), "a" | "an") {
+        return;
+    }
+    tokens.insert(i, like.saying("a"));
+}
+
+/// "An office of three rooms. The first is a reception, the second one is an office with a desk": a reception, an office with a
+/// desk.
+fn each_is(tokens: &mut Vec<Token>) {
+    let Some(counted) = (0..tokens.len()).find(|i| several(tokens, *i).is_some()) else { return };
+    let is_which = |text: &str| text == "the" || ORDINALS.contains(&text) || matches!(text, "last" | "other");
+    let said = |i: usize| {
+        if is_which(word(tokens, i - 1)) {
+            return None;
+        }
+        let the = usize::from(word(tokens, i) == "the");
+        let which = word(tokens, i + the);
+        let nth = ORDINALS.contains(&which) || matches!(which, "last" | "other" | "one" | "another");
+        let one = i + the + 1 + usize::from(matches!(word(tokens, i + the + 1), "one" | "room"));
+        let is = match [word(tokens, one), word(tokens, one + 1)] {
+            ["should" | "will" | "must", "be"] => one + 2,
+            ["is", _] => one + 1,
+            _ => return None,
+        };
+        let article = matches!(word(tokens, is), "a" | "an" | "the" | "my" | "our" | "for");
+        (nth && article && room(tokens, is + 1).is_some()).then_some(i..is)
+    };
+    let found: Vec<Range<usize>> = (counted + 2..tokens.len()).filter_map(said).collect();
+    found.into_iter().rev().for_each(|range| drop(tokens.drain(range)));
 }
 
 /// A part of a request that is about one room: its label, and where it ends.
@@ -350,12 +500,31 @@ fn label(tokens: &[Token], i: usize) -> Option<Range<usize>> {
     has.then_some(i..end + 1)
 }
 
+/// How many rooms a sentence names from here on.
+pub(super) fn listed(tokens: &[Token], from: usize) -> usize {
+    let end = tokens[from..].iter().position(Token::stops).map_or(tokens.len(), |n| from + n);
+    let joins = |k: usize| k == from || matches!(tokens[k - 1].text.as_str(), "," | "and" | "plus");
+    let number = |k: usize| match word(tokens, k) {
+        "a" | "an" | "one" | "the" | "my" | "our" => Some((1, k + 1)),
+        _ => count(&tokens[k..=k]).map(|(n, _)| (n as usize, k + 1)).or(Some((1, k))),
+    };
+    let named = |k: usize| {
+        let (n, name) = number(k)?;
+        (0..LONGEST).any(|looks| room(tokens, name + looks).is_some_and(|to| to <= end)).then_some(n)
+    };
+    (from..end).filter(|k| joins(*k)).filter_map(named).sum()
+}
+
 /// "Two rooms please, a bedroom and a bathroom" are these two; so are those of "a clinic made of two rooms. The waiting room has …".
 fn named_later(tokens: &mut Vec<Token>) {
     let Some((i, n)) = (0..tokens.len()).find_map(|i| Some((i, several(tokens, i)?))) else { return };
     let please = i + 2 + usize::from(word(tokens, i + 2) == "please");
     let sign = tokens.get(please).is_some_and(|t| matches!(t.kind, WordKind::Sign(',' | ':' | '-' | '–')));
-    if sign && matches!(word(tokens, please + 1), "a" | "an" | "one" | "the") && room(tokens, please + 2).is_some() {
+    if sign
+        && listed(tokens, please + 1) >= n
+        && matches!(word(tokens, please + 1), "a" | "an" | "one" | "the")
+        && room(tokens, please + 2).is_some()
+    {
         tokens.drain(i..=please);
         return;
     }
@@ -433,6 +602,32 @@ mod tests {
                  with two desks. all doors are wide.",
                 "a building . the reception room has a desk and a chair . the exam room has a stool . the nurses office has two \
                  desks . all doors are wide .",
+            ),
+            (
+                "an office suite of three rooms, a reception, an open office with a sofa and a meeting room.",
+                "an building with a reception room , an open office with a sofa and a meeting room .",
+            ),
+            (
+                "three-room office: reception with a desk and a kitchen",
+                "a building with three rooms : reception room with a desk and a kitchen",
+            ),
+            ("a two-bed, two-bath flat.", "a two-bedroom flat with two bathrooms ."),
+            ("a 3 bed 1 bath house with a hall", "a 3-bedroom house with 1 bathroom , a hall"),
+            ("a two bed room", "a two bed room"),
+            (
+                "a law office consisting of two rooms: reception and office.",
+                "a law office with two rooms : reception room and office .",
+            ),
+            (
+                "an office with three rooms: an open office with desks, a kitchen area with a table and a waiting area.",
+                "an office with an open office with desks , a kitchen with a table and a waiting room .",
+            ),
+            ("a flat. the master has a bed", "a flat . the master bedroom has a bed"),
+            ("the master has a desk", "the master has a desk"),
+            ("a three-room flat", "a three-room flat"),
+            (
+                "an office of two rooms. the first is a meeting room, and the other one should be a kitchen",
+                "an office with two rooms . a meeting room , and a kitchen",
             ),
             ("a flat with two rooms: a", "a flat with two rooms : a"),
             ("a home gym in the basement with a bench", "a home gym with a bench"),

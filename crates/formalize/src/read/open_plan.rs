@@ -21,7 +21,7 @@ const PARTS: [(&str, &[&str]); 7] = [
 ];
 
 /// What the whole is by its parts, the first that is among them.
-const WHOLE: [&str; 4] = ["living", "lounge", "kitchen", "dining"];
+const WHOLE: [&str; 7] = ["living", "lounge", "kitchen", "dining", "bedroom", "office", "study"];
 
 /// Turns several rooms that are said to be one into the first of them, with what the others have.
 pub fn plain(tokens: &mut Vec<Token>) {
@@ -38,6 +38,73 @@ pub fn plain(tokens: &mut Vec<Token>) {
             merge(tokens, i, i);
         }
         i += 1;
+    }
+}
+
+/// "A kitchen/living room", "a kitchen-living room", "an open kitchen and living room": one room. This is read before rooms are told
+/// apart.
+pub fn joined(tokens: &mut Vec<Token>) {
+    let mut i = 0;
+    while i < tokens.len() {
+        hyphened(tokens, i);
+        are_one(tokens, i);
+        let slash = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.kind, WordKind::Sign('/')));
+        let next = part(tokens, i).map(|(.., next)| next);
+        if next.is_some_and(slash) && next.is_some_and(|next| part(tokens, next + 1).is_some()) {
+            let open = usize::from(i > 0 && matches!(word(tokens, i - 1), "open" | "combined"));
+            merge_by(tokens, i - open, i, |t| matches!(t.kind, WordKind::Sign('/')));
+        } else if word(tokens, i) == "open"
+            && let Some((first, _, next)) = part(tokens, i + 1)
+            && let Some((second, _, end)) = part(tokens, next + 1).filter(|_| word(tokens, next) == "and")
+            && [first, second].iter().all(|name| WHOLE[..4].contains(name))
+            && matches!(word(tokens, end - 1), "room" | "area" | "space" | "kitchen" | "lounge")
+            && first != second
+        {
+            merge_by(tokens, i, i + 1, |t| t.is("and"));
+        }
+        i += 1;
+    }
+}
+
+/// "The kitchen and living area are open plan": an open-plan kitchen and living area. "A reception and waiting area": a reception.
+fn are_one(tokens: &mut Vec<Token>, i: usize) {
+    let waits = matches!(word(tokens, i + 2), "waiting") && matches!(word(tokens, i + 3), "area" | "room");
+    let and = |k: usize| tokens.get(k).is_some_and(|t| matches!(t.text.as_str(), "and" | "/" | "&"));
+    if word(tokens, i) == "reception" && and(i + 1) && waits {
+        put(tokens, i, i + 4, &["reception", "area"]);
+        return;
+    }
+    if word(tokens, i + 2) == "diner" && tokens[i + 1].is("/") && part(tokens, i).is_some() {
+        "dining".clone_into(&mut tokens[i + 2].text);
+    }
+    let starts = i == 0 || !tokens[i - 1].word() || matches!(word(tokens, i - 1), "the" | "and");
+    let Some((_, _, next)) = part(tokens, i).filter(|_| starts) else { return };
+    let second = next + 1 + usize::from(word(tokens, next + 1) == "the");
+    let Some((_, _, end)) = part(tokens, second).filter(|_| word(tokens, next) == "and") else { return };
+    let are = end + usize::from(matches!(word(tokens, end), "are" | "should" | "is"));
+    let are = are + usize::from(word(tokens, are) == "be");
+    let said = match [word(tokens, are), word(tokens, are + 1)] {
+        ["open-plan" | "combined", _] => are + 1,
+        ["open", "plan"] | ["one", "room" | "space"] => are + 2,
+        _ => return,
+    };
+    let the = i - usize::from(i > 0 && word(tokens, i - 1) == "the");
+    if are > end && tokens.get(said).is_none_or(|t| !t.word()) {
+        let mut words: Vec<String> = vec!["there".into(), "is".into(), "an".into(), "open-plan".into()];
+        words.extend((i..next).chain([next]).chain(second..end).map(|k| tokens[k].text.clone()));
+        put(tokens, the, said, &words.iter().map(String::as_str).collect::<Vec<_>>());
+    }
+}
+
+/// "A kitchen-living room": a kitchen / living room.
+fn hyphened(tokens: &mut Vec<Token>, i: usize) {
+    let Some((first, second)) = word(tokens, i).split_once('-').map(|(a, b)| (a.to_owned(), b.to_owned())) else {
+        return;
+    };
+    let is_part = |name: &str| PARTS.iter().any(|(part, _)| *part == name);
+    if is_part(&first) && is_part(&second) && first != "open" {
+        put(tokens, i, i + 1, &[&first, "/", &second]);
+        tokens[i + 1].kind = WordKind::Sign('/');
     }
 }
 
@@ -149,6 +216,14 @@ fn part(tokens: &[Token], i: usize) -> Option<(&'static str, &'static [&'static 
 
 /// Of rooms from a word on, which are said to be one by what begins at `from`: the first with what the others have.
 fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
+    let joins = |t: &Token| {
+        matches!(t.kind, WordKind::Sign(',' | '/' | '&')) || matches!(t.text.as_str(), "and" | "cum" | "plus" | "a")
+    };
+    merge_by(tokens, from, first, joins);
+}
+
+/// The same, of rooms that are joined so.
+fn merge_by(tokens: &mut Vec<Token>, from: usize, first: usize, joins: impl Fn(&Token) -> bool) {
     let (mut parts, mut second) = (Vec::new(), first);
     let (mut at, mut end) = (first, first);
     while let Some((name, has, next)) = part(tokens, at) {
@@ -164,10 +239,11 @@ fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
             parts.push((name, has));
         }
         (at, end) = (next, next);
-        while matches!(tokens.get(at).map(|t| t.kind), Some(WordKind::Sign(',' | '/' | '&')))
-            || matches!(word(tokens, at), "and" | "cum" | "plus" | "a")
-        {
+        while tokens.get(at).is_some_and(&joins) {
             at += 1;
+        }
+        if at == next {
+            break;
         }
     }
     // "Space", "area" after the last of them belongs to all.
@@ -204,6 +280,8 @@ fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
         }
         words.extend(*has);
     }
+    let merged: Vec<&str> = parts.iter().map(|(name, _)| *name).filter(|name| name != whole).collect();
+    called(tokens, end, &merged, words[0]);
     // What follows is said of the whole: "… with a sofa".
     if word(tokens, end) == "with" && !others.is_empty() {
         words.push("and");
@@ -212,9 +290,50 @@ fn merge(tokens: &mut Vec<Token>, from: usize, first: usize) {
     put(tokens, from, end, &words);
 }
 
+/// "The kitchen has an island", where one cooks in the living room: it is the living room that has it.
+fn called(tokens: &mut Vec<Token>, from: usize, parts: &[&str], whole: &str) {
+    for i in (from + 1..tokens.len()).rev() {
+        let Some((_, _, end)) = part(tokens, i).filter(|(name, ..)| parts.contains(name)) else { continue };
+        let place = usize::from(matches!(word(tokens, end), "part" | "side" | "corner"));
+        let end = end + place;
+        let verb = tokens.get(end..end + 1).is_some_and(|t| get().verb(t).is_some());
+        let stops = tokens.get(end).is_none_or(|t| !t.word()) || verb;
+        let goes_on = matches!(word(tokens, end), "there" | "put" | "and" | "with" | "has" | "i" | "we" | "should");
+        if tokens[i - 1].is("the") && (stops || goes_on) {
+            let name = if matches!(whole, "living" | "lounge" | "dining") { vec![whole, "room"] } else { vec![whole] };
+            put(tokens, i, end, &name);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::token;
+
+    #[test]
+    fn a_stroke_joins_rooms() {
+        for (text, becomes) in [
+            (
+                "a bedroom, a bathroom and an open kitchen/living room. the kitchen has a table.",
+                "a bedroom , a bathroom and an living room with a kitchen counter . the living room has a table .",
+            ),
+            ("a kitchen / living room with a sofa", "a living room with a kitchen counter and a sofa"),
+            ("a kitchen-living room and a bedroom", "a living room with a kitchen counter and a bedroom"),
+            ("living/dining room, bathroom", "living room with a dining table , bathroom"),
+            ("a bedroom/office with a bed", "a bedroom with a desk and a bed"),
+            ("an open kitchen and living room and a hall", "an living room with a kitchen counter and a hall"),
+            ("an open kitchen and a living room", "an open kitchen and a living room"),
+            ("a lounge/diner", "a living room with a dining table"),
+            ("a reception and waiting area", "a reception area"),
+            ("the kitchen and living area are open plan.", "there is an open-plan kitchen and living area ."),
+            ("a black/white kitchen", "a black / white kitchen"),
+        ] {
+            let mut tokens = token::tokens(text, 100).0;
+            super::joined(&mut tokens);
+            let words: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+            assert_eq!(words.join(" "), becomes);
+        }
+    }
 
     #[test]
     fn rooms_that_are_one_are_one_room() {

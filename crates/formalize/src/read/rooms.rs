@@ -1,10 +1,11 @@
 //! Which rooms a request speaks of, before its things are read: a room is one only if it is a heading, has a size, is led
 //! to, or is what a sentence is about. "The door to the garden" makes no garden.
 
+use super::among::is_known;
 use super::chunk::{Chunk, ChunkPiece};
 use super::lexicon::{Verb, get};
 use super::noun::{Det, NounKind, Np};
-use super::several::{Several, hyphen, is_home, listed, one_of};
+use super::several::{Listed, Several, hyphen, is_home, listed, one_of, sleeps};
 use super::token::Token;
 use crate::brief::{Place, Rel, Room, ThingOrigin};
 use std::collections::BTreeMap;
@@ -31,21 +32,24 @@ impl Rooms {
     }
 
     /// Notes one of several of a kind that were spoken of, as "the second bedroom" is. Whether there are such.
-    fn is_one_of(&mut self, chunk: usize, np: &Np, kind: &str, source: &ThingOrigin) -> bool {
-        let label = np.name();
+    fn is_one_of(&mut self, chunk: usize, np: &Np, (kind, label): (&str, String), source: &ThingOrigin) -> bool {
+        let kind = if sleeps(&np.name()) { "bedroom" } else { kind };
         let of = self.rooms.iter().zip(&self.several).position(|(room, several)| {
             several.count > 1 && get().room(&room.name).is_some_and(|known| known.name == kind)
         });
         let Some(of) = of else { return false };
-        let known = self.several.iter().position(|several| several.label == label);
+        // "A master bedroom and a kids room. The master bedroom has a bed": the same.
+        let known = (0..self.rooms.len()).find(|at| self.several[*at].label == label || self.rooms[*at].name == label);
         let named = self.several.iter().filter(|several| several.like == Some(of)).count();
+        let name = if is_own_name(np) { np.name() } else { self.rooms[of].name.clone() };
         let room = match known {
             Some(room) => room,
             // The first of them stands for all.
             None if named < self.several[of].count && self.rooms.len() < MOST => {
-                let room = Room { source: source.clone(), ..self.rooms[of].clone() };
+                let room = Room { name, source: source.clone(), ..self.rooms[of].clone() };
                 self.add(room, Several { like: Some(of), label, ..Several::default() })
             }
+            None if name != self.rooms[of].name => return false,
             None => of,
         };
         self.spoken.insert(chunk, room);
@@ -80,12 +84,26 @@ impl Rooms {
     }
 
     /// The room that a name means among those that were spoken of: by its name, or by what it ends with.
-    fn named(&self, np: &Np, base: &str) -> Option<usize> {
-        self.rooms.iter().position(|r| {
-            let base_too = base != "room" || np.words.len() == 1;
-            r.name == np.name() || base_too && (r.name == base || r.name.ends_with(&format!(" {base}")))
-        })
+    fn named(&self, np: &Np, base: &str, is_known: bool) -> Option<usize> {
+        let same = self.rooms.iter().position(|r| r.name == np.name());
+        let ends = || {
+            self.rooms.iter().position(|r| {
+                let base_too = base != "room" || np.words.len() == 1;
+                // A lawyer's office is no law office.
+                let plain = np.name() == base || r.name.ends_with(&format!(" {}", np.name()));
+                base_too && (r.name == base || plain && r.name.ends_with(&format!(" {base}")))
+            })
+        };
+        // "A reception area … The reception has a desk": the same place.
+        let name = np.name();
+        let known = || self.rooms.iter().position(|r| place(&r.name) == place(&name));
+        same.or_else(ends).or_else(|| known().filter(|_| is_known && np.count.is_none() && place(&name) != "dining"))
     }
+}
+
+/// What a place is called but for the last word: "reception" of a reception area.
+fn place(name: &str) -> &str {
+    name.rsplit_once(' ').filter(|(_, last)| ["area", "room", "space", "zone"].contains(last)).map_or(name, |(a, _)| a)
 }
 
 /// What parts of rooms are called, as well as rooms.
@@ -95,10 +113,21 @@ const OUTDOORS: &str = "terrace";
 /// More rooms than this are not told apart.
 pub(super) const MOST: usize = 12;
 
+/// Whether a room has a name of its own, and not only one that says which of several it is.
+fn is_own_name(np: &Np) -> bool {
+    const WHICH: [&str; 13] = [
+        "first", "second", "third", "fourth", "fifth", "sixth", "last", "other", "next", "larger", "smaller", "large",
+        "small",
+    ];
+    np.nth.is_none() && np.name() != "bedroom" && !np.words.first().is_some_and(|word| WHICH.contains(&word.as_str()))
+}
+
 pub fn find(chunks: &mut [Chunk], tokens: &[Token]) -> Rooms {
     nameless(chunks);
-    let mut out = spoken(chunks, tokens);
+    let listed = listed(chunks, tokens);
+    let mut out = spoken(chunks, tokens, &listed);
     out.several.resize(out.rooms.len(), Several::default());
+    super::among::settle(&mut out, chunks, tokens, listed.hyphened.map(|(at, ..)| at));
     // What could be a thing as well and is no room here is a thing.
     let placed: Vec<bool> = (0..chunks.len()).map(|i| placed(chunks, i)).collect();
     for (i, chunk) in chunks.iter_mut().enumerate() {
@@ -142,13 +171,12 @@ fn placed(chunks: &[Chunk], i: usize) -> bool {
         && corner(i + 3)
 }
 
-fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
+fn spoken(chunks: &[Chunk], tokens: &[Token], listed: &Listed) -> Rooms {
     let mut out = Rooms::default();
     let lexicon = get();
     let bytes = |c: &Chunk| -> Range<usize> { tokens[c.at.start].at.start..tokens[c.at.end - 1].at.end };
     let mut loose: Vec<(usize, String)> = Vec::new();
     let mut weak: Vec<(usize, String)> = Vec::new();
-    let listed = listed(chunks, tokens);
     for (i, chunk) in chunks.iter().enumerate() {
         let Some(np) = chunk.np().filter(|n| n.kind == NounKind::Room) else { continue };
         if let Some((_, count, noun)) = listed.hyphened.as_ref().filter(|(at, ..)| *at == i) {
@@ -179,14 +207,16 @@ fn spoken(chunks: &[Chunk], tokens: &[Token]) -> Rooms {
             continue;
         }
         // "the second bedroom", of two.
-        if one_of(np, n) && out.is_one_of(i, np, kind.name, &source) {
+        if let Some(label) = one_of(np, n, &tokens[chunk.at.clone()])
+            && out.is_one_of(i, np, (kind.name, label), &source)
+        {
             continue;
         }
         if np.words.len() == 1 && base == "room" && of_two(chunk, tokens, 0).is_some() {
             loose.push((i, np.name()));
             continue;
         }
-        if let Some(room) = out.named(np, &base) {
+        if let Some(room) = out.named(np, &base, np.det != Det::Indefinite || is_known(chunks, tokens, i)) {
             out.spoken.insert(i, room);
             continue;
         }
@@ -341,7 +371,10 @@ pub fn fewer(chunks: &[Chunk], tokens: &[Token], rooms: &[Room]) -> Vec<(Range<u
         let hyphened = hyphen(np).filter(|(_, noun)| noun != "room");
         let Some((wanted, noun)) = hyphened.or_else(|| Some((np.count?, np.words.last()?.clone()))) else { continue };
         let Some(kind_wanted) = kind(&noun).filter(|_| noun != "room") else { continue };
-        let is_one = |room: &&Room| room.name.rsplit(' ').next().is_some_and(|last| kind(last) == Some(kind_wanted));
+        let is_one = |room: &&Room| {
+            let last = room.name.rsplit(' ').next().and_then(kind);
+            last == Some(kind_wanted) || noun == "bedroom" && sleeps(&room.name)
+        };
         let laid_out = rooms.iter().filter(is_one).count();
         if wanted > laid_out.max(1) {
             let at = tokens[chunk.at.start].at.start..tokens[chunk.at.end - 1].at.end;
@@ -417,8 +450,10 @@ fn strong(chunks: &[Chunk], i: usize, first: bool) -> bool {
     let beyond = one && it && matches!(before2, Some(ChunkPiece::Rel(_))) && joins(i.checked_sub(3).and_then(piece));
     // "There is a waiting room with chairs", "A waiting room with chairs": a sentence of its own. An area may be a part of a room.
     let is_area = chunks[i].np().is_some_and(|np| np.words.last().is_some_and(|last| AREAS.contains(&last.as_str())));
-    let told =
-        one && !is_area && (start || before == Some(&ChunkPiece::There)) && matches!(after, Some(ChunkPiece::With));
+    // "There is also a guest room with a bed".
+    let also = matches!(before, Some(ChunkPiece::Soft | ChunkPiece::Word(_)));
+    let there = before == Some(&ChunkPiece::There) || also && before2 == Some(&ChunkPiece::There);
+    let told = one && !is_area && (start || there) && matches!(after, Some(ChunkPiece::With));
     let added =
         (next || beyond || told) && chunks[..i].iter().any(|c| c.np().is_some_and(|n| n.kind == NounKind::Room));
     sized || led || heading || subject || opens || joined || added || first && !beside && !to

@@ -234,16 +234,35 @@ fn owned(chunks: &[Chunk], tokens: &[Token], i: usize) -> bool {
     false
 }
 
-/// "Second" of the second bedroom: one of several rooms, not all of them.
-pub fn one_of(np: &Np, kind_words: usize) -> bool {
-    const WHICH: [&str; 14] = [
-        "first", "second", "third", "fourth", "fifth", "last", "other", "master", "main", "larger", "smaller", "large",
-        "small", "guest",
+/// Whether one sleeps in a room of this name at home: "kids room", "parents bedroom".
+pub fn sleeps(name: &str) -> bool {
+    const SLEEP: [&str; 4] = ["bedroom", "kids room", "teen room", "nursery"];
+    crate::furnish::kinds::of(name).is_some_and(|kind| SLEEP.contains(&kind.name))
+}
+
+/// "Second" of the second bedroom, "kids" of the kids' room: one of several rooms, not all of them. What it is called.
+pub fn one_of(np: &Np, kind_words: usize, said: &[Token]) -> Option<String> {
+    const WHICH: [&str; 15] = [
+        "first", "second", "third", "fourth", "fifth", "last", "other", "master", "main", "primary", "larger",
+        "smaller", "large", "small", "guest",
     ];
+    if !matches!(np.det, Det::Definite | Det::Own | Det::None) || np.count.is_some() || np.many {
+        return None;
+    }
+    let name = np.name();
     let before = &np.words[..np.words.len() - kind_words];
-    matches!(np.det, Det::Definite | Det::Own)
-        && (np.nth.is_some() || np.words.first().is_some_and(|w| WHICH.contains(&w.as_str())))
-        && (before.len() <= 1)
+    let which = np.nth.is_some() || np.words.first().is_some_and(|w| WHICH.contains(&w.as_str()));
+    if which && before.len() <= 1 || sleeps(&name) && name != "bedroom" {
+        return Some(name);
+    }
+    // "The smaller bedroom": the size is a look of other rooms.
+    let size = said.iter().find_map(|token| match token.text.as_str() {
+        "small" | "smaller" | "little" | "smallest" => Some("small"),
+        "large" | "larger" | "big" | "bigger" | "largest" | "biggest" => Some("large"),
+        "other" => Some("other"),
+        _ => None,
+    })?;
+    before.is_empty().then(|| format!("{size} {name}"))
 }
 
 /// Doors that are said to be between two rooms, with the chunks that say so.

@@ -19,6 +19,8 @@ const WHERE: [&str; 25] = [
 ];
 /// What precedes the things that a room has.
 const HAS: [&str; 9] = ["with", "has", "have", "having", "containing", "featuring", "holds", "contains", "fits"];
+/// In so many sentences a home may be said to have rooms.
+const SENTENCES: usize = 4;
 /// The most words between a room and what it has: "at the front, with".
 const BETWEEN: usize = 5;
 
@@ -37,7 +39,7 @@ struct Head {
 
 /// Takes such sentences apart.
 pub fn plain(tokens: &mut Vec<Token>) {
-    home(tokens);
+    home(tokens, SENTENCES);
     let mut from = 0;
     while from < tokens.len() {
         let end = tokens[from..].iter().position(Token::stops).map_or(tokens.len(), |n| from + n);
@@ -65,7 +67,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
 }
 
 /// "A flat. It should have a living room and a bedroom": the flat has them.
-fn home(tokens: &mut Vec<Token>) {
+fn home(tokens: &mut Vec<Token>, most: usize) {
     const HAVE: [&[&str]; 11] = [
         &["should", "have"],
         &["must", "have"],
@@ -79,18 +81,31 @@ fn home(tokens: &mut Vec<Token>) {
         &["contains"],
         &["consists", "of"],
     ];
-    let starts = |k: &usize| *k > 0 && tokens[k - 1].stops() && matches!(word(tokens, *k), "it" | "this");
+    let starts = |k: &usize| *k > 0 && tokens[k - 1].stops();
     let said = (0..tokens.len()).filter(starts).find_map(|it| {
         let is = |words: &&&[&str]| words.iter().enumerate().all(|(k, have)| word(tokens, it + 1 + k) == *have);
-        let end = it + 1 + HAVE.iter().find(is)?.len();
+        let end = match word(tokens, it) {
+            "it" | "this" => it + 1 + HAVE.iter().find(is)?.len(),
+            // "Plus a kitchen and a bathroom."
+            "plus" | "also" => it + 1 + usize::from(word(tokens, it + 1) == ","),
+            "there" => {
+                let end = tokens[it..].iter().position(Token::stops).map_or(tokens.len(), |n| it + n);
+                let furnished = tokens[it..end].iter().any(|t| HAS.iter().any(|has| t.is(has)));
+                let list = tokens[it..end].iter().any(|t| t.is("and"));
+                let is = matches!(word(tokens, it + 1), "is" | "are" | "'s");
+                (is && list && !furnished).then_some(it + 2)?
+            }
+            _ => return None,
+        };
         let has_room = (end..end + 2).any(|k| room(tokens, k, false).is_some());
         let home = (0..it).rev().find(|k| super::several::is_home(word(tokens, *k)))?;
         has_room.then_some((it..end, home))
     });
-    if let Some((at, home)) = said {
+    if let Some((at, home)) = said.filter(|_| most > 0) {
         let like = tokens[at.start].clone();
         let name = tokens[home].text.clone();
         tokens.splice(at, ["the", &name, "has"].map(|text| like.saying(text)));
+        self::home(tokens, most - 1);
     }
 }
 
@@ -133,10 +148,14 @@ fn head(tokens: &[Token], k: usize, within: Range<usize>, is_first: bool) -> Opt
     let name = k + usize::from(article || number);
     let end = room(tokens, name, number).filter(|end| *end <= within.end)?;
     let has = has(tokens, end, within.end);
+    // "An office with three rooms: …" is what has the rooms.
+    if has.is_some_and(|has| super::numbered::several(tokens, has).is_some()) {
+        return None;
+    }
     let owned = matches!(word(tokens, k), "my" | "our");
     let ends = end == within.end || matches!(word(tokens, end), "," | "and" | "plus" | "then" | "at");
     // Alone before a comma it is what the sentence speaks of, and "a kitchen of 3 by 4 m" has a size.
-    (has.is_some() || ends && !owned).then_some(Head { at: k..end, name, several: number, has })
+    (has.is_some() || ends && !(owned && is_first)).then_some(Head { at: k..end, name, several: number, has })
 }
 
 /// Where what a room has begins, if this is said after its name.
@@ -214,7 +233,7 @@ fn split(tokens: &mut Vec<Token>, heads: &[Head], end: usize) -> usize {
         }
         said.push(Token { kind: WordKind::Sign('.'), ..like.saying(".") });
         said.push(tokens[head.name].saying("the"));
-        said.extend(called(tokens, head).into_iter().map(|t| t.saying(&t.text)));
+        said.extend(called(tokens, head).into_iter().map(|t| Token { owner: t.owner, ..t.saying(&t.text) }));
         match head.has {
             Some(has) => {
                 said.push(tokens[has - 1].saying(if head.several { "have" } else { "has" }));
@@ -307,6 +326,12 @@ mod tests {
                 "behind that is a open office and a interview room and three prison cells . the open office has six desks . \
                  the interview room has a mirror .",
             ),
+            (
+                "a law office with three rooms: a hall with a desk, a kitchen and a meeting room with a table.",
+                "a law office with three rooms : a hall and a kitchen and a meeting room . the hall has a desk . the meeting \
+                 room has a table .",
+            ),
+            ("a house. plus a kitchen and a bathroom.", "a house . the house has a kitchen and a bathroom ."),
             ("the door of the kitchen and a bench with a bag", "the door of the kitchen and a bench with a bag"),
         ] {
             let mut tokens = tokens(text, 100).0;

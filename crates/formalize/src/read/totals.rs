@@ -1,11 +1,13 @@
 //! The area of all rooms together: "a flat with …, 55 m² in total" is that of the flat, and "total floor area 120 m²" that of the
 //! building.
 
+use super::lexicon::get;
 use super::measure::measure;
 use super::number::area;
 use super::paraphrase::word;
 use super::several::is_home;
 use super::token::{Token, WordKind};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// What is said of an area that nothing is made of.
@@ -20,7 +22,7 @@ pub fn plain(tokens: &mut Vec<Token>) -> Option<(Range<usize>, String)> {
     let like = tokens[said.start].clone();
     let name = match home {
         Some(home) => home.text,
-        None if building => {
+        None if building || rooms(tokens) > 1 => {
             let at = tokens[said.start].at.start..tokens[said.end - 1].at.end;
             tokens.drain(said);
             return Some((at, TOTAL.to_owned()));
@@ -34,6 +36,20 @@ pub fn plain(tokens: &mut Vec<Token>) -> Option<(Range<usize>, String)> {
     }
     tokens.splice(said, words);
     None
+}
+
+/// How many rooms a text names.
+fn rooms(tokens: &[Token]) -> usize {
+    let begins =
+        |k: &usize| *k == 0 || !tokens[k - 1].word() || ["a", "an", "the", "and"].contains(&word(tokens, k - 1));
+    let name = |k: usize| {
+        let end = super::numbered::room(tokens, k)?;
+        let name: Vec<&str> = (k..end).map(|k| word(tokens, k)).collect();
+        // A place in general is no other room.
+        (!get().room(&name.join(" ")).is_some_and(|kind| kind.loose)).then(|| name.join(" "))
+    };
+    let names: BTreeSet<String> = (0..tokens.len()).filter(begins).filter_map(name).collect();
+    names.len()
 }
 
 /// "Around 55 square metres in total": all of that, and the area.
@@ -64,7 +80,9 @@ fn ahead(tokens: &[Token], i: usize) -> Option<(Range<usize>, Range<usize>)> {
     let measured = from + (from..from + 4).take_while(|k| is(k) || tokens.get(*k).is_some_and(|t| t.is(":"))).count();
     // "Overall 3.6 m x 7 m".
     let sides = || measure(tokens.get(measured..)?).filter(|(m, _)| m.values.len() > 1).map(|(_, used)| used);
-    let of_area = area(tokens.get(measured..)?).map(|(_, used)| used).filter(|_| noun > 0);
+    // "Total about 50 m²."
+    let alone = i == 0 || !tokens[i - 1].word();
+    let of_area = area(tokens.get(measured..)?).map(|(_, used)| used).filter(|_| noun > 0 || alone);
     let used = of_area.or_else(sides)?;
     let from = i - article;
     let from = from - usize::from(from > 0 && tokens[from - 1].is(","));
@@ -89,6 +107,11 @@ mod tests {
                 "a hotel room for a robot. overall 3.6 m x 7 m, a desk",
                 "a hotel room for a robot . the room is 3.6 m x 7 m , a desk",
             ),
+            (
+                "a flat with a hall and a bedroom. total about 50 square metres.",
+                "a flat with a hall and a bedroom . the flat is 50 square metres .",
+            ),
+            ("an exam room and a waiting room, 60 square metres in total.", "an exam room and a waiting room ."),
             ("a total of six chairs", "a total of six chairs"),
         ] {
             let mut tokens = tokens(text, 100).0;

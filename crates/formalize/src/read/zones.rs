@@ -108,7 +108,17 @@ pub fn plain(tokens: &mut Vec<Token>) {
 fn is_told_of(tokens: &[Token], from: usize, end: usize) -> bool {
     let is_again = |at: usize| (0..end - from).all(|k| tokens[at + k].text == tokens[from + k].text);
     let told = |at: &usize| is_again(*at) && ["a", "an", "the"].iter().any(|article| tokens[at - 1].is(article));
+    // "The lounge has a sofa", of a lounge area.
+    let name = &tokens[from..end - 1];
+    let short = |at: usize| {
+        let is_same =
+            tokens.get(at..at + name.len()).is_some_and(|said| said.iter().zip(name).all(|(a, b)| a.is(&b.text)));
+        let after = tokens.get(at + name.len()).map_or("", |t| t.text.as_str());
+        let starts = tokens[at - 1].is("the") || matches!(tokens[at - 1].kind, token::WordKind::Sign('.' | ','));
+        is_same && starts && !name.is_empty() && (after == "room" || HAS.contains(&after) || after == "is")
+    };
     (end + 1..(tokens.len() + from + 1).saturating_sub(end)).any(|at| told(&at))
+        || (end + 1..tokens.len()).any(|at| short(at))
 }
 
 /// Turns "a reading corner in a bedroom", with which a request begins, into "a bedroom with a reading corner".
