@@ -292,7 +292,9 @@ pub fn stand_up(plan: &mut Plan, thing: usize) {
     let is_soft = |line: &Line| line.noun.ends_with("sofa");
     let reads = stand::is_easy(&noun) && it.count == 1 && !plan.kind.lines.iter().any(is_soft);
     let aside = own.map_or_else(|| reads || stand::is_aside(&it.category), |place| *place == PlanPlace::Corner);
-    let aside = (aside && !plan.is_placed(thing) || plan.is_in_corners(thing)) && it.count <= CORNERS;
+    let aside =
+        (aside && !plan.is_placed(thing) || plan.is_in_corners(thing) || plan.is_cornered(thing) && it.count == 1)
+            && it.count <= CORNERS;
     let is_parked = is_parked(&noun);
     if !at_wall_like && !aside && !is_parked && (own_place.is_none() || gated) {
         straighten(plan, thing);
@@ -484,6 +486,7 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
         strictly: like.looks_at.is_some(),
         near: stands_near(plan, &it, like),
         pull: PULL[usize::from(at_window(plan, &it.name).is_some())],
+        side: plan.side(thing),
         ..Choice::of(plan, &noun, size, &windows)
     };
     let says = |text: &str| plan.draft.statements.iter().any(|s| s.text.contains(text));
@@ -499,11 +502,15 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let received = it.count == 1 && groups::is_visited(&noun, plan.kind.dress);
     let own = like.line.map(|line| (line, nominal(plan, line, size, 0.0)));
     let is_parked = is_parked(&noun);
+    // In another place nothing could hold.
+    let cornered = plan.is_cornered(thing);
     let around = like.line.map_or_else(Vec::new, |line| kept(line, size, false, 0.0));
     let row = RefCell::new(Vec::new());
     let (is_close, is_behind) = (Cell::new(false), Cell::new(false));
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
-        if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
+        if cornered {
+            choice.corner(floor, shape, before)
+        } else if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
             Some(pose)
         } else if let Some(pose) = central.then(|| choice.middle(floor, shape, yaws)).flatten() {
             Some(pose)

@@ -495,7 +495,11 @@ impl Plan<'_> {
     fn try_group(&mut self, thing: usize, n: usize, root: &Root<'_>, skip: &[&'static str]) -> Option<Vec<Pose>> {
         let it = &self.draft.things[thing];
         let (noun, size) = (it.category.replace('_', " "), it.size?);
-        let building = Building::new(thing, &noun, size, root.frames.clone(), self.pull);
+        let mut building = Building::new(thing, &noun, size, root.frames.clone(), self.pull);
+        if self.is_cornered(thing) {
+            // At one of its sides is the wall.
+            building.shape.free.retain(|(at, _)| at.x.abs() < size[0] / 2.0);
+        }
         self.building = Some(Building { skip: skip.to_vec(), ..building });
         self.surround(thing, root.wall, 0);
         let mut group = self.building.clone()?;

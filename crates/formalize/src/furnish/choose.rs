@@ -33,6 +33,8 @@ pub struct Choice<'a> {
     pub parted: bool,
     /// The part of a shop beyond its tills, where nothing is for sale.
     pub exit: Option<Block>,
+    /// On which side of the middle the corner is that is asked for (signs of x and z; 0: on either side).
+    pub side: [f64; 2],
 }
 
 /// The part of a room for those who work behind a counter.
@@ -134,6 +136,7 @@ impl<'a> Choice<'a> {
             taught: plan.is_taught(),
             parted: plan.is_parted(noun),
             exit: plan.exit,
+            side: [0.0; 2],
         }
     }
 
@@ -430,7 +433,7 @@ impl<'a> Choice<'a> {
     pub fn corner(&self, floor: &Floor, shape: &Shape, before: &[Pose]) -> Option<Pose> {
         let places = seek::in_corners(floor.size, shape, self.size, floor.edge).into_iter();
         let cost = |pose: &Pose| {
-            if self.is_misplaced(pose) {
+            if self.is_misplaced(pose) || self.side[0] * pose.x < 0.0 || self.side[1] * pose.z < 0.0 {
                 return None;
             }
             let guest = matches!(self.staffed, Some(Staff::Beyond(_))) && stand::for_guests(self.noun);

@@ -290,6 +290,24 @@ impl Plan<'_> {
         stated.filter(|s| mentions(&s.text, name) && !stand::is_path(s)).any(|s| is_subject(&s.text, name))
     }
 
+    /// Whether the request says that something is in a corner, or each of several things.
+    pub(super) fn is_cornered(&self, at: usize) -> bool {
+        let name = &self.draft.things[at].name;
+        let corners = [format!("inCorner({name}, "), format!("forall a in {name}: inCorner(a, ")];
+        let mut stated = self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
+        stated.any(|s| s.demand == Demand::Must && corners.iter().any(|corner| s.text.contains(corner)))
+    }
+
+    /// On which side of the room's middle something is said to be (signs of x and z; 0: nothing is said).
+    pub(super) fn side(&self, at: usize) -> [f64; 2] {
+        let name = &self.draft.things[at].name;
+        let stated = || self.draft.statements.iter().filter(|s| matches!(s.source, ThingOrigin::Stated(_)));
+        ["x", "z"].map(|axis| {
+            let says = |sign: &str| stated().any(|s| s.text.contains(&format!("{name}.center.{axis} {sign}= ")));
+            f64::from(u8::from(says(">"))) - f64::from(u8::from(says("<")))
+        })
+    }
+
     /// Whether the request says that something is in a corner, or each of several things, and nothing else of where it stands.
     pub(super) fn is_in_corners(&self, at: usize) -> bool {
         let thing = &self.draft.things[at];

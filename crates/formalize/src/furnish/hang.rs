@@ -178,6 +178,7 @@ pub fn up(plan: &mut Plan, at: usize) {
         taught: false,
         parted: false,
         exit: None,
+        side: [0.0; 2],
     };
     let is_own = |line: &&Line| matches!(line.place, PlanPlace::Back(_) | PlanPlace::Front(_));
     let own = line.filter(|line| it.count <= ABREAST && is_own(line));

@@ -336,6 +336,8 @@ impl<'a> Plan<'a> {
         let name = if is_narrow && name == RESTAURANT_TABLE { SMALL_RESTAURANT_TABLE } else { name };
         tops::load(self, thing);
         let mut taken: Vec<Taken> = self.loads.iter().filter(|(of, _)| *of == thing).map(|(_, taken)| *taken).collect();
+        // In a corner of which no plan knows, nothing has a place at the sides.
+        let cornered = self.building.is_none() && self.is_cornered(thing);
         // One thing hangs above another: where a television is asked for, no mirror does.
         let mut has_above = false;
         for part in groups::of(name, self.kind.dress) {
@@ -346,7 +348,10 @@ impl<'a> Plan<'a> {
             // Only boxes are kept out of reach.
             let is_high =
                 matches!(part.at, Where::Top(..)) && self.draft.things[thing].size.is_some_and(|s| s[1] > HIGH);
+            let seat = matches!(part.at, Where::Front(..)) && stand::group(part.noun) == Group::Seat;
+            let aside = !on_top && !hung && !seat && !matches!(part.at, Where::Over);
             if !roofed && matches!(part.at, Where::Over)
+                || cornered && aside
                 || is_high && !KEPT_HIGH.iter().any(|end| part.noun.ends_with(end))
                 || on_top && loaded
                 || hung && (wall == AtWall::No || is_under_window || has_above)
