@@ -9,7 +9,7 @@ use super::kinds::{self, Line, PlanPlace, seats_all};
 use super::plan::{AtWall, Plan, metres};
 use super::rows::{is_desk, rows};
 use super::spots::{free, gate, in_row, is_driven_in, keep_exit, kept, lanes, near, near_to, nominal, watched_from};
-use super::{facing, groups, order, place, slots, stacks, stand, twin};
+use super::{facing, groups, order, place, seek, slots, stacks, stand, twin};
 use crate::brief::{Brief, Group};
 use crate::draft::{Demand, DraftThing, OpeningKind, Statement, ThingOrigin};
 use crate::names::mentions;
@@ -509,7 +509,8 @@ fn give_place(plan: &mut Plan, thing: usize, wall: AtWall, like: &Like) -> bool 
     let (is_close, is_behind) = (Cell::new(false), Cell::new(false));
     let seek = |floor: &Floor, shape: &Shape, before: &[Pose]| {
         if cornered {
-            choice.corner(floor, shape, before)
+            // It is at the walls itself, and nobody stands behind it.
+            choice.corner(floor, shape, before).filter(|_| seek::reach(shape)[2] < size[2] / 2.0 + 0.05)
         } else if let Some(pose) = in_row(&choice, floor, shape, before, (it.count, like.in_run), &row) {
             Some(pose)
         } else if let Some(pose) = central.then(|| choice.middle(floor, shape, yaws)).flatten() {
