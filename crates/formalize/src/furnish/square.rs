@@ -69,6 +69,10 @@ fn is_settled(draft: &Draft, thing: &DraftThing) -> bool {
             of && (rest.starts_with(" =") || rest.starts_with(" <-"))
         })
     };
-    let turns = |s: &Statement| own(&s.text) || calls(&s.text).iter().any(|call| TURNS.contains(call));
+    let turns = |s: &Statement| {
+        own(&s.text)
+            || s.text.contains(&format!("{name}.front.x"))
+            || calls(&s.text).iter().any(|call| TURNS.contains(call))
+    };
     draft.statements.iter().filter(said).any(turns)
 }
