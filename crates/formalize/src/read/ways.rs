@@ -60,7 +60,7 @@ fn gets(tokens: &[Token], i: usize) -> Option<Way> {
     let to = named(tokens, to)?;
     let by = soft(tokens, to.end);
     let from = named(tokens, by + 1).filter(|_| FROM.contains(&word(tokens, by)))?;
-    ends(tokens, from.end).then(|| (i..from.end, from, to))
+    ends(tokens, from.end).then_some((i..from.end, from, to))
 }
 
 /// "The bathroom is reached from the bedroom", "the office is off the hall".
@@ -76,7 +76,7 @@ fn is_reached(tokens: &[Token], i: usize) -> Option<Way> {
         _ => return None,
     };
     let from = named(tokens, by + 1).filter(|_| word(tokens, by) == "off" || FROM.contains(&word(tokens, by)))?;
-    ends(tokens, from.end).then(|| (i..from.end, from, to))
+    ends(tokens, from.end).then_some((i..from.end, from, to))
 }
 
 /// "From the hall you get to the kitchen".
@@ -88,7 +88,7 @@ fn from_first(tokens: &[Token], i: usize) -> Option<Way> {
         && matches!(word(tokens, verb), "get" | "go" | "enter" | "reach" | "access" | "come" | "step" | "walk");
     let to = verb + 1 + usize::from(matches!(word(tokens, verb + 1), "to" | "into"));
     let to = named(tokens, to).filter(|_| is_way)?;
-    ends(tokens, to.end).then(|| (i..to.end, from, to))
+    ends(tokens, to.end).then_some((i..to.end, from, to))
 }
 
 /// Whether what is said of a way may end before a token.

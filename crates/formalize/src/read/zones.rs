@@ -117,8 +117,7 @@ fn is_told_of(tokens: &[Token], from: usize, end: usize) -> bool {
         let starts = tokens[at - 1].is("the") || matches!(tokens[at - 1].kind, token::WordKind::Sign('.' | ','));
         is_same && starts && !name.is_empty() && (after == "room" || HAS.contains(&after) || after == "is")
     };
-    (end + 1..(tokens.len() + from + 1).saturating_sub(end)).any(|at| told(&at))
-        || (end + 1..tokens.len()).any(|at| short(at))
+    (end + 1..(tokens.len() + from + 1).saturating_sub(end)).any(|at| told(&at)) || (end + 1..tokens.len()).any(short)
 }
 
 /// Turns "a reading corner in a bedroom", with which a request begins, into "a bedroom with a reading corner".
