@@ -4,6 +4,7 @@ use crate::problem::pose::round_to;
 use crate::problem::setup::Setup;
 use crate::problem::{Standing, TermSubject, Unsatisfied};
 use scenelang_engine::candidate::Candidate;
+use scenelang_engine::frame::checks::Check;
 use scenelang_lang::program::{ConstraintKind, ObjectId, Owner, Pinned, RegionId};
 use scenelang_layout::{DecisionValue, Layout, Vec3, digits};
 use scenelang_verify::opening::Met;
@@ -25,7 +26,13 @@ pub(crate) fn layout(
         (layout, found)
     };
     // To judge is dear where ways are looked for: where no more fails than the search says, once is enough.
-    let expected = (0..state.numbering.len()).filter(|&check| !state.does_hold(check)).count();
+    let failing = (0..state.numbering.len()).filter(|&check| !state.does_hold(check));
+    // Parts of one statement fail as one: else a preference with several would hide what fails for want of digits.
+    let whole = |check: usize| match state.numbering.check(check) {
+        Check::Term(term) if setup.frame.terms[term].opens.is_none() => (true, setup.frame.terms[term].constraint),
+        _ => (false, check),
+    };
+    let expected = failing.map(whole).collect::<BTreeSet<_>>().len();
     let mut best = judged(compose(setup, state, |_, x| round_to(x, digits::STEP)));
     // What fails may fail for want of digits. So what it speaks of gets more of them, then everything.
     let concerned = concerned(setup, &best.1.0);
