@@ -1,15 +1,55 @@
 //! What hangs above other things, where few words say so: "a vanity with a mirror" has it above it, and in "a workbench, a pegboard
-//! with tools above it" the board is above the bench.
+//! with tools above it" the board is above the bench. In "a table, six chairs and a television on the wall" only the television is
+//! on the wall.
 
+use super::each_with::goes_on;
 use super::lexicon::{get, plural, singular};
 use super::paraphrase::{ends, put, word};
 use super::shares::noun;
-use super::token::Token;
+use super::token::{Token, WordKind};
+use crate::brief::Group;
+use crate::furnish::stand;
 use scenelang_lang::nouns::{self, Stands};
+use std::ops::Range;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    own_mirror(tokens, i) || with_tools(tokens, i)
+    own_mirror(tokens, i) || with_tools(tokens, i) || last_on_wall(tokens, i)
+}
+
+/// "A table, six chairs and a television on the wall": the television is.
+fn last_on_wall(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if word(tokens, i) != "and" || !matches!(word(tokens, i + 1), "a" | "an" | "one") {
+        return false;
+    }
+    let hung = |name: &str| {
+        let stands = nouns::ending(name).is_some_and(|noun| noun.stands == Stands::Wall);
+        stands || matches!(name, "tv" | "television" | "screen" | "whiteboard")
+    };
+    let own = (i + 2..i + 4).find_map(|k| noun(tokens, k).filter(|name| hung(&one(tokens, name.clone()))));
+    let Some(own) = own.filter(|own| word(tokens, own.end) == "on" && word(tokens, own.end + 1) == "the") else {
+        return false;
+    };
+    let wall = (own.end + 2..own.end + 4).any(|k| word(tokens, k) == "wall");
+    let comma = usize::from(i > 0 && tokens[i - 1].is(","));
+    let before = i - comma;
+    let last = (before.saturating_sub(3)..before).find_map(|k| noun(tokens, k).filter(|name| name.end == before));
+    // Nobody hangs up a table.
+    let stands =
+        last.is_some_and(|name| matches!(stand::group(&one(tokens, name)), Group::Seat | Group::Table | Group::Bed));
+    if !wall || !stands {
+        return false;
+    }
+    if comma == 0 {
+        tokens[i] = Token { kind: WordKind::Sign(','), ..tokens[i].saying(",") };
+    }
+    goes_on(tokens, before, comma);
+    true
+}
+
+/// The words of a noun, in the singular.
+fn one(tokens: &[Token], range: Range<usize>) -> String {
+    range.map(|k| singular(word(tokens, k))).collect::<Vec<_>>().join(" ")
 }
 
 /// "A vanity with mirror", "four styling stations with mirrors on one wall": a mirror above each of them.
@@ -75,10 +115,7 @@ fn with_tools(tokens: &mut [Token], i: usize) -> bool {
     let it = matches!(word(tokens, above + 1), "it" | "them") && ends(tokens, above + 2);
     let hangs = (i.saturating_sub(3)..i).find_map(|k| noun(tokens, k).filter(|name| name.end == i));
     let Some(hangs) = hangs.filter(|_| it) else { return false };
-    let name = |range: std::ops::Range<usize>| {
-        let words: Vec<String> = range.map(|k| singular(word(tokens, k))).collect();
-        words.join(" ")
-    };
+    let name = |range: Range<usize>| one(tokens, range);
     let stands = |name: &str| nouns::ending(name).map(|noun| noun.stands);
     let on_wall =
         stands(&name(hangs.clone())) == Some(Stands::Wall) || singular(word(tokens, hangs.end - 1)) == "shelf";
@@ -112,6 +149,13 @@ mod tests {
                 "a workbench along the left wall, pegboard with tools above it, a fridge",
                 "a workbench along the left wall , pegboard above it with tools , a fridge",
             ),
+            (
+                "a wooden table, 6 black chairs, and a tv on the wall opposite the door.",
+                "a wooden table , 6 black chairs . there is a tv on the wall opposite the door .",
+            ),
+            ("a bed and a clock on the wall", "a bed . there is a clock on the wall"),
+            ("a clock and a mirror on the wall", "a clock and a mirror on the wall"),
+            ("a desk and a lamp on the table", "a desk and a lamp on the table"),
             ("a bed, a shelf with a picture above it", "a bed , a shelf with a picture above it"),
         ] {
             assert_eq!(plainly(said), becomes);
