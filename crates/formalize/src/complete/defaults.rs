@@ -1,7 +1,7 @@
 //! What follows from what is said: seats for people, a fence around a robot.
 
 use crate::brief::{Brief, Fact, FactKind, Group, Look, Number, Rel, Thing, ThingOrigin};
-use crate::furnish::{FENCED, kinds, seats_at};
+use crate::furnish::{FENCED, kinds, seats_at, stand};
 use crate::read::lexicon::{get, plural, singular};
 
 /// So many sit in a booth.
@@ -41,6 +41,19 @@ fn is_lain_on(seat: &Thing) -> bool {
     seat.words.iter().any(|word| LAIN_ON.contains(&word.as_str()))
 }
 
+/// Whether people eat at it.
+fn is_dined_at(table: &Thing) -> bool {
+    matches!(table.name().as_str(), "dining table" | "kitchen table")
+        || table.places.is_some() && table.head().ends_with("table")
+}
+
+/// Whether a seat is no chair at a table.
+fn is_soft(seat: &Thing) -> bool {
+    const SOFT: [&str; 9] =
+        ["sofa", "couch", "settee", "armchair", "loveseat", "recliner", "beanbag", "pouf", "ottoman"];
+    seat.words.last().is_some_and(|last| SOFT.contains(&last.as_str())) || stand::is_easy(&seat.name())
+}
+
 /// Tables at which nobody sits with others.
 const FOR_ONE: [&str; 9] =
     ["dressing", "vanity", "makeup", "changing", "coffee", "side", "console", "bedside", "ironing"];
@@ -63,6 +76,9 @@ pub fn seats(brief: &mut Brief) {
     // A baby sits in a chair of its own.
     let is_seat = |i: &Thing| i.group == Group::Seat && !is(i, "highchair") && !is_lain_on(i) || is(i, "bench");
     let ruled_out = brief.absent.iter().any(|(a, _)| ["chair", "seat"].iter().any(|seat| a.contains(seat)));
+    // Nobody eats on a sofa where there is a table for it.
+    let dines = brief.things.iter().any(|i| i.number.said().is_none_or(|n| n == 1) && is_dined_at(i));
+    let is_seat = |i: &Thing| is_seat(i) && !(dines && is_soft(i));
     let (Some(people), false) = (people, ruled_out || brief.things.iter().any(is_seat)) else { return };
     let open = |i: &Thing| brief.rooms.get(i.room).is_none_or(|room| !room.only);
     let one = |i: &Thing| i.number.said().is_none_or(|n| n == 1);
@@ -146,7 +162,7 @@ fn gather_on_floor(brief: &mut Brief) {
 
 /// "Six tables for eight": so many chairs at each, where nothing is said of seats.
 fn seats_at_each(brief: &mut Brief) {
-    let here = |room: usize, i: &Thing| i.room == room && i.group == Group::Seat;
+    let here = |room: usize, i: &Thing| i.room == room && i.group == Group::Seat && !is_soft(i);
     let table =
         brief.things.iter().position(|i| i.seats_each() && !brief.things.iter().any(|other| here(i.room, other)));
     let Some(table) = table.filter(|table| !brief.rooms[brief.things[*table].room].only) else { return };

@@ -16,6 +16,7 @@ mod extent;
 mod facing;
 mod flood;
 mod floor;
+mod galley;
 mod gates;
 mod groups;
 mod hang;
@@ -147,6 +148,7 @@ pub fn refine(brief: &mut Brief) {
     whom::computers(brief);
     whom::instruments(brief);
     bedside_lamps(brief);
+    galley::two_rows(brief);
     named(brief);
     team(brief);
     stools_at_counter(brief);
@@ -218,13 +220,23 @@ pub fn refine(brief: &mut Brief) {
 fn counter_of_till(brief: &Brief, at: usize, kind: &kinds::FurnishingKind) -> Option<&'static str> {
     let counters = ["counter", "desk", "checkout", "bar"];
     let is_till = |thing: &Thing| matches!(thing.words.last().map(String::as_str), Some("till" | "register"));
-    let is_counter = |thing: &Thing| thing.words.last().is_some_and(|word| counters.contains(&word.as_str()));
+    // Nobody pays at a styling counter or a student desk.
+    let pays = |thing: &Thing| {
+        let first = thing.words.first().map_or("", String::as_str);
+        thing.words.len() == 1
+            || matches!(
+                first,
+                "sales" | "checkout" | "bar" | "service" | "reception" | "front" | "cash" | "shop" | "serving" | "deli"
+            )
+    };
+    let is_counter =
+        |thing: &Thing| thing.words.last().is_some_and(|word| counters.contains(&word.as_str())) && pays(thing);
     let room = brief.things[at].room;
     if !is_till(&brief.things[at]) || brief.things.iter().any(|other| other.room == room && is_counter(other)) {
         return None;
     }
     let carries = |noun: &&str| groups::of(noun, kind.dress).iter().any(|part| part.noun == "till");
-    kind.lines.iter().map(|line| line.noun).find(carries)
+    kind.lines.iter().map(|line| line.noun).find(carries).or(Some("checkout counter"))
 }
 
 /// "A kitchen with an L-shaped counter": the worktops of such a kitchen turn a corner, with its appliances between them.

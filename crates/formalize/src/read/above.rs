@@ -14,7 +14,11 @@ use std::ops::Range;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    own_mirror(tokens, i) || with_tools(tokens, i) || last_on_wall(tokens, i)
+    before_mirrors(tokens, i)
+        || own_mirror(tokens, i)
+        || with_tools(tokens, i)
+        || tools_hang(tokens, i)
+        || last_on_wall(tokens, i)
 }
 
 /// "A table, six chairs and a television on the wall": the television is.
@@ -104,7 +108,12 @@ fn own_mirror(tokens: &mut Vec<Token>, i: usize) -> bool {
     let place: Vec<Token> = tokens.drain(mirror + 1..end).collect();
     let above = ["above", if many { "each" } else { "it" }].map(|text| like.saying(text));
     tokens.splice(mirror + 1..mirror + 1, above);
+    let after = mirror + 3 + place.len();
     tokens.splice(i..i, place);
+    // "…, and a row of seats": these are no part of each.
+    if many && word(tokens, after) == "and" && matches!(word(tokens, after + 1), "a" | "an" | "the" | "one") {
+        goes_on(tokens, after, 0);
+    }
     true
 }
 
@@ -130,6 +139,50 @@ fn with_tools(tokens: &mut [Token], i: usize) -> bool {
     said
 }
 
+/// "Three chairs in front of three mirrors", "three chairs facing the mirrors", at a hairdresser's: three stations with mirrors.
+fn before_mirrors(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const SALONS: [&str; 7] = ["barber", "barbershop", "barber's", "salon", "hairdresser", "hairdresser's", "barbers"];
+    let number = matches!(tokens[i].kind, WordKind::Number(_)) || super::number::count(&tokens[i..]).is_some();
+    let adjective = i + 1 + usize::from(matches!(word(tokens, i + 1), "barber" | "styling" | "salon" | "leather"));
+    if !number || !matches!(word(tokens, adjective), "chairs" | "seats") {
+        return false;
+    }
+    let before = adjective + 1;
+    let named = match [word(tokens, before), word(tokens, before + 1), word(tokens, before + 2)] {
+        ["in", "front", "of"] => before + 3,
+        ["before" | "facing", ..] => before + 1,
+        _ => return false,
+    };
+    let salon = tokens.iter().any(|t| SALONS.contains(&t.text.as_str()));
+    let mirror = (named..named + 3).find(|k| word(tokens, *k) == "mirrors");
+    let Some(mirror) = mirror.filter(|_| salon) else { return false };
+    put(tokens, i + 1, mirror + 1, &["styling", "stations", "with", "mirrors"]);
+    own_mirror(tokens, i + 3);
+    true
+}
+
+/// "A workbench and clamps hanging above it": on a board.
+fn tools_hang(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const TOOLS: [&str; 11] =
+        ["tools", "clamps", "saws", "hammers", "wrenches", "spanners", "chisels", "pliers", "pots", "pans", "utensils"];
+    let named = TOOLS.contains(&word(tokens, i)) && i > 0;
+    let hang = i + 1 + usize::from(matches!(word(tokens, i + 1), "hanging" | "hung" | "mounted"));
+    let above = matches!(word(tokens, hang), "above" | "over");
+    let it = matches!(word(tokens, hang + 1), "it" | "them") && ends(tokens, hang + 2);
+    // "A pegboard with tools above it".
+    if !named || !above || !it || word(tokens, i - 1) == "with" {
+        return false;
+    }
+    let board: &[&str] = if matches!(word(tokens, i), "pots" | "pans" | "utensils") {
+        &["a", "wall", "shelf"]
+    } else {
+        &["a", "pegboard"]
+    };
+    let tools = tokens[i].clone();
+    put(tokens, i, hang + 2, &[board, &["above", "it", "with", &tools.text]].concat());
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use crate::read::paraphrase::plainly;
@@ -144,7 +197,21 @@ mod tests {
                 "four styling stations with mirrors on one wall, a bench",
                 "four styling stations on one wall with a mirror above each . there is a bench",
             ),
+            (
+                "three stations with mirrors and a row of seats.",
+                "three stations with a mirror above each . there is a row of seats .",
+            ),
             ("a wardrobe with a mirror", "a wardrobe with a mirror"),
+            ("a bench and clamps hanging above it.", "a bench and a pegboard above it with clamps ."),
+            ("a bench with tools above the saw", "a bench with tools above the saw"),
+            (
+                "a barber with three chairs in front of three mirrors on the same wall.",
+                "a barber with three styling stations on the same wall with a mirror above each .",
+            ),
+            (
+                "a hall with three chairs in front of three mirrors.",
+                "a hall with three chairs in front of three mirrors .",
+            ),
             (
                 "a workbench along the left wall, pegboard with tools above it, a fridge",
                 "a workbench along the left wall , pegboard above it with tools , a fridge",

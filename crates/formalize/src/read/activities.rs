@@ -113,6 +113,37 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || background(tokens, i)
         || see_over(tokens, i)
         || school_year(tokens, i)
+        || wait_on(tokens, i)
+}
+
+/// "Customers wait on a row of four seats": there is one.
+fn wait_on(tokens: &mut Vec<Token>, i: usize) -> bool {
+    const WHO: [&str; 10] = [
+        "customers",
+        "clients",
+        "guests",
+        "visitors",
+        "patients",
+        "people",
+        "parents",
+        "pupils",
+        "students",
+        "passengers",
+    ];
+    let modal = i + 1 + usize::from(matches!(word(tokens, i + 1), "can" | "will" | "should"));
+    let waits = matches!(word(tokens, modal), "wait" | "sit") && matches!(word(tokens, modal + 1), "on" | "in");
+    let the = modal + 2;
+    let named = matches!(word(tokens, the), "a" | "an") || count(&tokens[the.min(tokens.len())..]).is_some();
+    let starts = i == 0 || tokens[i - 1].stops() || tokens[i - 1].is("and") || tokens[i - 1].is(",");
+    if !WHO.contains(&word(tokens, i)) || !waits || !named || !starts {
+        return false;
+    }
+    // "In a room of its own" is no seat.
+    if word(tokens, modal + 1) == "in" && super::noun::room_here(&tokens[the + 1..]).is_some() {
+        return false;
+    }
+    put(tokens, i, the, &["there", "is"]);
+    true
 }
 
 /// Where the words end that say "somewhere to", "a quiet place to", "space to".

@@ -30,6 +30,7 @@ mod converted;
 mod counts;
 mod denied;
 mod desks;
+mod doors;
 mod each_with;
 mod enclosures;
 mod finishes;

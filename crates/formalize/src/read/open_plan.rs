@@ -171,12 +171,12 @@ fn open_kitchen(tokens: &mut Vec<Token>) {
     // "A living room with an open kitchen".
     let in_living = |at: &usize| {
         let before = [4, 3, 2, 1].map(|k| at.checked_sub(k).map_or("", |k| word(tokens, k)));
-        matches!(before, ["living" | "lounge", "room" | "area", "with", "an"])
+        matches!(before, ["living" | "lounge", "room" | "area", "with" | "has", "an"])
     };
     // "A living room with open kitchen".
     let bare = |at: &usize| {
         let before = [3, 2, 1].map(|k| at.checked_sub(k).map_or("", |k| word(tokens, k)));
-        matches!(before, ["living" | "lounge", "room" | "area", "with"])
+        matches!(before, ["living" | "lounge", "room" | "area", "with" | "has"])
     };
     if let Some(at) = (1..tokens.len()).filter(open).find(bare) {
         return put(tokens, at, at + 2, &["a", "kitchen", "counter"]);

@@ -11,7 +11,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
     // No text becomes so much longer: whatever rules make of it, reading ends.
     let most = 8 * tokens.len() + 500;
     while i < tokens.len() && tokens.len() < most {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 79] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 80] = [
             super::spelling::plain,
             super::shorthand::plain,
             super::above::plain,
@@ -28,6 +28,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
             super::each_with::plain,
             super::free_floor::plain,
             super::desks::plain,
+            super::doors::plain,
             super::aisles::plain,
             super::wheeled::plain,
             opposite_wall,

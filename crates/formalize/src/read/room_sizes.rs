@@ -21,6 +21,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
         guessed(tokens, i);
         large_for_wide(tokens, i);
         only_area(tokens, i);
+        floor_is(tokens, i);
         i += 1;
     }
     behind_things(tokens);
@@ -64,6 +65,19 @@ fn only_area(tokens: &mut Vec<Token>, i: usize) {
     let from = i - usize::from(but);
     put(tokens, from, only, &[".", "the", "room", "is"]);
     tokens[from].kind = WordKind::Sign('.');
+}
+
+/// "The floor is about 10 metres by 6": the room is.
+fn floor_is(tokens: &mut Vec<Token>, i: usize) {
+    let named = matches!(word(tokens, i + 1), "floor" | "space" | "place" | "area" | "unit" | "premises" | "footprint");
+    let is = matches!(word(tokens, i + 2), "is" | "measures" | "are");
+    let about =
+        i + 3 + usize::from(matches!(word(tokens, i + 3), "about" | "around" | "roughly" | "maybe" | "perhaps"));
+    let sides =
+        || measure(tokens.get(about..)?).filter(|(m, _)| m.values.len() > 1 && m.values.iter().all(|v| *v >= LEAST));
+    if matches!(word(tokens, i), "the" | "our" | "my") && named && is && sides().is_some() {
+        put(tokens, i + 1, i + 2, &["room"]);
+    }
 }
 
 /// "A ward for testing a robot, 9 by 7.2 m": a ward, 9 by 7.2 m, for testing a robot.
@@ -134,6 +148,8 @@ mod tests {
             ("a study, 3 by 4 m, a rug, 2 by 3 m", "a study , 3 by 4 m , a rug , 2 by 3 m"),
             ("a hall with a rug, 2 by 3 m", "a hall with a rug , 2 by 3 m"),
             ("a hall with a stage, 4 by 3 m", "a hall with a stage , 4 by 3 m"),
+            ("a bar. The floor is maybe 10 metres by 6.", "a bar . the room is about 10 metres by 6 ."),
+            ("a bar. The floor is oak.", "a bar . the floor is oak ."),
             ("inside is 13 m long, 6 m large", "inside is 13 m long , 6 m wide"),
             ("a nail salon, pink, but its only 400 sq ft.", "a nail salon , pink , . the room is 400 sq ft ."),
         ] {

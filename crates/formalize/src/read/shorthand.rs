@@ -9,7 +9,7 @@ use super::token::{Token, WordKind};
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let turns: [fn(&mut Vec<Token>, usize) -> bool; 15] = [
+    let turns: [fn(&mut Vec<Token>, usize) -> bool; 19] = [
         not_forgotten,
         on_for_by,
         made_from,
@@ -25,6 +25,10 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         out_front,
         behind_me,
         stocked,
+        stick,
+        have_got,
+        plus,
+        lined_up,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -42,6 +46,59 @@ fn not_forgotten(tokens: &mut Vec<Token>, i: usize) -> bool {
         _ => put(tokens, i, not + 2, &["there", "is"]),
     }
     true
+}
+
+fn starts(tokens: &[Token], i: usize) -> bool {
+    i == 0 || tokens[i - 1].stops() || tokens[i - 1].is(",") || tokens[i - 1].is("and")
+}
+
+fn article(tokens: &[Token], i: usize) -> bool {
+    matches!(word(tokens, i), "a" | "an" | "the" | "some" | "my" | "our") || is_number(tokens, i)
+}
+
+/// "Stick a table near the door": put it there.
+fn stick(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = matches!(word(tokens, i), "stick" | "pop" | "chuck" | "plonk" | "bung" | "shove") && starts(tokens, i);
+    if said && article(tokens, i + 1) {
+        put(tokens, i, i + 1, &["put"]);
+        return true;
+    }
+    false
+}
+
+/// "We've got a 5 by 6 m lounge": there is one.
+fn have_got(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let got = match [word(tokens, i), word(tokens, i + 1), word(tokens, i + 2)] {
+        ["we've" | "i've", "got", _] => i + 2,
+        ["we" | "i", "have", "got"] => i + 3,
+        _ => return false,
+    };
+    if !starts(tokens, i) || !article(tokens, got) {
+        return false;
+    }
+    put(tokens, i, got, &["there", "is"]);
+    true
+}
+
+/// "Tables for two lined up along the windows": along the windows.
+fn lined_up(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let places = i > 1 && word(tokens, i - 2) == "for" && count(&tokens[i - 1..]).is_some();
+    let next = word(tokens, i + 2).to_owned();
+    let said = word(tokens, i) == "lined" && word(tokens, i + 1) == "up";
+    if !said || !places || !matches!(next.as_str(), "along" | "by" | "against" | "at" | "under" | "near") {
+        return false;
+    }
+    put(tokens, i, i + 3, &[&next]);
+    true
+}
+
+/// "A printer by the entrance, plus two beanbags": and two.
+fn plus(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "plus" && i > 0 && article(tokens, i + 1);
+    if said {
+        put(tokens, i, i + 1, &["and"]);
+    }
+    said
 }
 
 fn is_number(tokens: &[Token], i: usize) -> bool {
@@ -156,7 +213,7 @@ fn headboards(tokens: &mut Vec<Token>, i: usize) -> bool {
 /// "A galley kitchen, counters 0.9 m high on both sides": along both long walls.
 fn both_sides(tokens: &mut Vec<Token>, i: usize) -> bool {
     const FAR: usize = 6;
-    let said = word(tokens, i) == "on"
+    let said = matches!(word(tokens, i), "on" | "along" | "down" | "at")
         && word(tokens, i + 1) == "both"
         && word(tokens, i + 2) == "sides"
         && ends(tokens, i + 3);

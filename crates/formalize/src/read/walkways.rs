@@ -2,7 +2,7 @@
 //! the bed and the door". All of them are said as "a 0.9 m wide path from … to …".
 
 use super::measure::measure;
-use super::paraphrase::word;
+use super::paraphrase::{ends, put, word};
 use super::token::{Token, WordKind};
 
 const WAYS: [&str; 8] = ["path", "walkway", "route", "passage", "passageway", "pathway", "walkthrough", "gangway"];
@@ -28,7 +28,48 @@ const NAME: usize = 8;
 
 /// Turns what begins at a token; whether it did.
 pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
-    named(tokens, i) || from_door(tokens, i)
+    named(tokens, i) || from_door(tokens, i) || kept(tokens, i)
+}
+
+/// "Keep at least a metre free to walk past", "leave a path of 1 m clear": paths so wide to everything, in a sentence of their own.
+fn kept(tokens: &mut Vec<Token>, i: usize) -> bool {
+    if !matches!(word(tokens, i), "keep" | "leave" | "keeping" | "leaving") {
+        return false;
+    }
+    let article = i + 1 + usize::from(word(tokens, i + 1) == "a");
+    let is_way = WAYS.contains(&word(tokens, article)) && word(tokens, article + 1) == "of";
+    let least = if is_way { article + 2 } else { i + 1 };
+    let least = match [word(tokens, least), word(tokens, least + 1)] {
+        ["at", "least"] => least + 2,
+        ["about" | "around" | "roughly", _] => least + 1,
+        _ => least,
+    };
+    let metre = matches!(word(tokens, least), "a" | "one") && matches!(word(tokens, least + 1), "metre" | "meter");
+    let (wide, end) = if metre {
+        (1.0, least + 2)
+    } else {
+        let said = tokens.get(least..).and_then(measure).filter(|(m, _)| m.values.len() == 1 && !m.area);
+        let Some((m, used)) = said else { return false };
+        (m.values[0], least + used)
+    };
+    let free = end + usize::from(FREE.contains(&word(tokens, end)));
+    let walks = word(tokens, free) == "to" && matches!(word(tokens, free + 1), "walk" | "get" | "move" | "pass" | "go");
+    let past = free + 2;
+    let by = matches!(word(tokens, past), "past" | "by" | "around" | "round" | "through" | "between" | "about");
+    let last = if walks { past + usize::from(by) } else { free };
+    if !(walks || is_way && free > end) || !ends(tokens, last) {
+        return false;
+    }
+    put(tokens, i, last, &["keep", "paths", "at", "least", "n", "m", "wide", "to", "everything"]);
+    (tokens[i + 4].kind, tokens[i + 4].text) = (WordKind::Number(wide), wide.to_string());
+    let and = usize::from(i > 0 && tokens[i - 1].is("and"));
+    let comma = usize::from(i > and && tokens[i - 1 - and].is(","));
+    if and + comma > 0 {
+        let from = i - and - comma;
+        (tokens[from].text, tokens[from].kind) = (".".to_owned(), WordKind::Sign('.'));
+        tokens.drain(from + 1..i);
+    }
+    true
 }
 
 /// "A 0.9 m wide path to the desk": from the door.
@@ -135,6 +176,12 @@ mod tests {
             ("a stone path with lamps", "a stone path with lamps"),
             ("a 1 m wide path to the bed", "a 1 m wide path from the door to the bed"),
             ("1 m wide paths to all desks", "1 m wide paths to all desks"),
+            (
+                "a sofa, and keep at least a metre free to walk past",
+                "a sofa . keep paths at least 1 m wide to everything",
+            ),
+            ("leave a path of 90 cm clear.", "keep paths at least 0.9 m wide to everything ."),
+            ("leave 1 m of space behind the sofa", "leave 1 m of space behind the sofa"),
         ] {
             assert_eq!(plainly(text), becomes);
         }
