@@ -39,6 +39,7 @@ mod fronted;
 mod goods;
 mod homes;
 pub(crate) mod lexicon;
+mod lines;
 mod loose;
 mod meant;
 mod measure;

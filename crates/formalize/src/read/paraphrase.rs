@@ -13,6 +13,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
     while i < tokens.len() && tokens.len() < most {
         let turns: [fn(&mut Vec<Token>, usize) -> bool; 80] = [
             super::spelling::plain,
+            super::lines::plain,
             super::shorthand::plain,
             super::above::plain,
             super::walkways::plain,
