@@ -334,7 +334,7 @@ fn ship_bridge(tokens: &mut Vec<Token>, i: usize) -> bool {
 
 /// "Four crew stations": workstations.
 fn stations(tokens: &mut Vec<Token>, i: usize) -> bool {
-    const WHOSE: [&str; 6] = ["crew", "operator", "control", "navigation", "officer", "pilot"];
+    const WHOSE: [&str; 7] = ["crew", "operator", "control", "navigation", "officer", "pilot", "work"];
     let last = match word(tokens, i + 1) {
         "station" => "workstation",
         "stations" => "workstations",

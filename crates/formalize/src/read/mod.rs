@@ -74,6 +74,7 @@ mod taken_back;
 mod talk;
 mod token;
 mod totals;
+mod trades;
 mod unknown;
 mod unwrapped;
 mod walkways;
@@ -81,6 +82,7 @@ mod ways;
 mod wheeled;
 mod whereabouts;
 mod which;
+mod work;
 mod zones;
 
 use crate::brief::{Brief, MOST_GUIDED, Room, Word};
@@ -165,6 +167,7 @@ pub fn brief(request: &str) -> Brief {
     named::whole(&mut tokens);
     let mut answers = talk::turns(&mut tokens);
     answers.extend(chatter::beside_the_point(&mut tokens));
+    answers.extend(trades::lift(&mut tokens));
     answers.extend(reasons::lift(&mut tokens));
     owner::places(&mut tokens);
     owner::rooms(&mut tokens);
