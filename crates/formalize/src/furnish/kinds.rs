@@ -139,7 +139,9 @@ impl FurnishingKind {
 
     /// Whether people sit in rows and look to the back of the room.
     pub fn is_taught(&self) -> bool {
-        self.lines.iter().any(|line| line.place == PlanPlace::Rows(true))
+        // Machines in rows teach nobody.
+        let works = |line: &Line| line.noun.ends_with("machine");
+        self.lines.iter().any(|line| line.place == PlanPlace::Rows(true) && !works(line))
     }
 
     /// Whether a television hangs across from the bed.

@@ -10,7 +10,7 @@ use super::order::Order;
 use super::plan::{Plan, for_people};
 use super::rows::is_desk;
 use super::taste::{self, Taste};
-use super::{asked, gates, hang, stand, tops};
+use super::{asked, cell, gates, hang, line, stand, tops};
 use crate::brief::{Brief, Group, MOST_GUIDED};
 use crate::draft::{Draft, DraftThing, ThingOrigin};
 
@@ -138,6 +138,12 @@ fn receives(draft: &Draft, at: usize) -> bool {
 
 /// Gives what is asked for and the inventory their places; of a `crowd`, what is asked for is left to the search.
 fn place_all(plan: &mut Plan, asked: Vec<usize>, crowd: bool, first: First) {
+    let mut asked = asked;
+    if !crowd {
+        cell::stand_up(plan);
+        line::stand_up(plan);
+        asked.retain(|thing| !plan.claimed.contains(thing));
+    }
     let order = Order::of(plan, asked);
     plan.small.clone_from(&order.small);
     order.boards.iter().for_each(|thing| hang::up(plan, *thing));

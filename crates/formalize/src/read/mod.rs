@@ -163,6 +163,7 @@ pub fn brief(request: &str) -> Brief {
     let total = totals::plain(&mut tokens);
     room_sizes::plain(&mut tokens);
     enclosures::plain(&mut tokens);
+    work::cells(&mut tokens);
     named::titled(&mut tokens);
     named::whole(&mut tokens);
     let mut answers = talk::turns(&mut tokens);

@@ -38,6 +38,15 @@ fn robot_cell(tokens: &mut Vec<Token>, i: usize) -> bool {
     said
 }
 
+/// The same of the whole request, before its first words are held for the name of its room.
+pub fn cells(tokens: &mut Vec<Token>) {
+    let mut i = 0;
+    while i < tokens.len() {
+        robot_cell(tokens, i);
+        i += 1;
+    }
+}
+
 /// The name of the last machine before a token that handles parts.
 fn machine(tokens: &[Token], i: usize) -> Option<Vec<String>> {
     let last = (i.saturating_sub(BACK)..i).rev().find(|k| MACHINES.contains(&word(tokens, *k)))?;

@@ -1,0 +1,92 @@
+//! What works as one stands as one: a robot with what it picks from and puts on inside its fence, workplaces along their conveyor.
+
+use super::floor::{Footprint, Pose, Shape};
+use super::plan::{AtWall, Plan};
+use super::slots::{Level, Slot};
+use super::{place, seek};
+
+/// An element of a thing, and its place seen from the first of its formation.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    pub thing: usize,
+    /// Which of several; `None`: there is one.
+    pub element: Option<usize>,
+    pub at: Pose,
+}
+
+/// What a formation takes.
+#[derive(Clone, Copy, Debug)]
+pub struct Ground {
+    /// The middle of it, seen from the first piece, and how large it is.
+    pub block: (Pose, [f64; 3]),
+    /// What is kept free beside it.
+    pub free: (Pose, [f64; 3]),
+}
+
+impl Ground {
+    /// What blocks take that are seen from the first piece.
+    pub fn around(blocks: &[(Pose, [f64; 3])], beyond: f64) -> Self {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        let mut height: f64 = 0.0;
+        for (at, size) in blocks {
+            let block = super::floor::Block::of(at, *size);
+            for (k, axis) in [0, 2].into_iter().enumerate() {
+                (low[k], high[k]) = (low[k].min(block.low[axis]), high[k].max(block.high[axis]));
+            }
+            height = height.max(size[1]);
+        }
+        let at = Pose { x: (low[0] + high[0]) / 2.0, z: (low[1] + high[1]) / 2.0, ..Pose::default() };
+        let size = [high[0] - low[0], height, high[1] - low[1]];
+        let free = [size[0] + 2.0 * beyond, height, size[2] + 2.0 * beyond];
+        Self { block: (at, size), free: (at, free) }
+    }
+}
+
+/// Gives a formation its place, its first piece in the middle of the room if it is `centred`. Whether there is one.
+pub fn put(plan: &mut Plan, pieces: &[Piece], taken: Ground, (yaws, centred): (&[f64], bool), why: &str) -> bool {
+    let (Some(first), Some(floor)) = (pieces.first(), plan.ground.as_ref()) else { return false };
+    let (at, size) = taken.block;
+    let block = Footprint { thing: first.thing, at, size, flat: false, tall: false };
+    let shape = Shape { pieces: vec![block], free: vec![taken.free], ..Shape::default() };
+    let middle = Pose { x: -at.x, z: -at.z, ..Pose::default() };
+    let places: Vec<Pose> = match centred {
+        true => yaws.iter().map(|yaw| Pose { yaw: *yaw, ..Pose::default() }).collect(),
+        false => {
+            let whole = seek::on_floor(floor.size, taken.free.1.map(|v| (v - 1.2).max(0.1)), yaws);
+            whole.iter().map(|at| at.then(&middle)).collect()
+        }
+    };
+    let off = |pose: &Pose| {
+        let turned = yaws.iter().position(|yaw| *yaw == pose.yaw).unwrap_or(0);
+        pose.then(&at).x.hypot(pose.then(&at).z) + turned as f64
+    };
+    let Some(pose) = seek::best(floor, &shape, places.into_iter(), &|pose| Some(off(pose))) else { return false };
+    plan.ground.iter_mut().for_each(|ground| ground.take(&shape, &pose));
+    plan.take(size, 1, false);
+    let name = |plan: &Plan, piece: &Piece| {
+        let name = &plan.draft.things[piece.thing].name;
+        piece.element.map_or_else(|| name.clone(), |i| format!("{name}[{i}]"))
+    };
+    let root = name(plan, first);
+    let room = plan.room_name();
+    plan.say(format!("assert {};", place::absolute(&root, &room, [pose.x, 0.0, pose.z], pose.yaw)), why);
+    for piece in pieces {
+        let element = name(plan, piece);
+        plan.note_place(&element, &pose.then(&piece.at));
+        if element != root {
+            let Pose { x, z, yaw, .. } = piece.at;
+            let slot = Slot { x, z, level: Level::Floor, yaw };
+            plan.say(format!("assert {};", place::fixed(&element, &root, &slot, 0.0, 0.0)), why);
+        }
+        if !plan.claimed.contains(&piece.thing) {
+            plan.claimed.push(piece.thing);
+        }
+    }
+    true
+}
+
+/// Adds what stands on the members of a formation.
+pub fn dress(plan: &mut Plan, things: &[usize]) {
+    plan.building = None;
+    things.iter().for_each(|thing| plan.surround(*thing, AtWall::No, 1));
+}
