@@ -29,6 +29,10 @@ const BY_AISLE: f64 = 0.1;
 /// Between racks in a row, and from one row to the next, where there is room (metres).
 const RACKS: (f64, f64) = (0.02, 2.4);
 
+/// Between workplaces along a conveyor, and between rows of servers (metres).
+const AT_LINE: f64 = 0.1;
+const COLD_AISLE: f64 = 1.2;
+
 /// The grid of an array that stands in rows, unless something else says where its elements are: at a wall, on a table.
 pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
     let n = brief.count(a);
@@ -169,6 +173,21 @@ fn steps(brief: &Brief, sizes: &[[f64; 3]], a: usize) -> [f64; 2] {
     // Between the benches of a laboratory stand their sinks.
     let is_bench = thing.group == Group::Table && thing.head().ends_with("bench");
     let (mut beside, mut behind) = if is_rack { RACKS } else { (if is_bench { 0.7 } else { 0.5 }, 0.8) };
+    // Along a conveyor workplaces stand close to each other, and between servers is a cold aisle.
+    let is_conveyor = |to: &usize| {
+        let last = brief.things[*to].words.last();
+        last.is_some_and(|word| word == "conveyor" || word == "belt")
+    };
+    let at_line = |f: &crate::brief::Fact| {
+        f.of.contains(&a)
+            && matches!(&f.what, FactKind::Rel(Rel::InFrontOf | Rel::Behind, to) if to.iter().any(is_conveyor))
+    };
+    if brief.facts.iter().any(at_line) {
+        beside = AT_LINE;
+    }
+    if is_rack && thing.words.iter().any(|word| word == "server") {
+        behind = COLD_AISLE;
+    }
     // Between racks is what is said, be it less than usual.
     if is_rack && brief.facts.iter().any(|f| f.of.contains(&a) && matches!(f.what, FactKind::Rows(..))) {
         behind = 0.0;

@@ -3,7 +3,7 @@
 use super::floor::{Footprint, Pose, Shape};
 use super::plan::{AtWall, Plan};
 use super::slots::{Level, Slot};
-use super::{place, seek};
+use super::{groups, place, seek};
 
 /// An element of a thing, and its place seen from the first of its formation.
 #[derive(Clone, Debug)]
@@ -85,8 +85,44 @@ pub fn put(plan: &mut Plan, pieces: &[Piece], taken: Ground, (yaws, centred): (&
     true
 }
 
-/// Adds what stands on the members of a formation.
+/// Adds what stands on the members of a formation; seats at them are members, too.
 pub fn dress(plan: &mut Plan, things: &[usize]) {
     plan.building = None;
-    things.iter().for_each(|thing| plan.surround(*thing, AtWall::No, 1));
+    for thing in things {
+        let noun = plan.draft.things[*thing].category.replace('_', " ");
+        let seats = groups::of(&noun, plan.kind.dress).iter().any(|part| part.at.is_around());
+        if !seats {
+            plan.surround(*thing, AtWall::No, 1);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::read::{Options, read};
+
+    #[test]
+    fn what_works_as_one_stands_as_one() {
+        let cell = "a robot cell with a robot arm in the middle. there is a conveyor beside the robot arm and a pallet beside \
+                    the robot arm. there is a fence 4 by 4 m around the robot arm with a safety gate.";
+        let line = "an assembly line, 12 m long, with a conveyor and five workbenches in a row in front of the conveyor. there \
+                    is a stool in front of each workbench. there is a packing table to the right of the conveyor.";
+        for (request, said) in [
+            (cell, "conveyor.pos = robotArm.pos - robotArm.right * 0.8"),
+            (cell, "pallet.pos = robotArm.pos + robotArm.right * 0.9"),
+            (cell, "fence.pos = robotArm.pos and"),
+            (cell, "safetyGate.pos = robotArm.pos + robotArm.front * 1.975"),
+            (cell, "near(fence, robotArm, 2)"),
+            (line, "workbench[4].pos = conveyor.pos + conveyor.right * 3.8"),
+            (line, "stool[2].pos = conveyor.pos + conveyor.front * 1.38"),
+            (line, "packingTable.pos = conveyor.pos - conveyor.right * 5.18"),
+        ] {
+            let draft = read(request, &Options::default()).draft;
+            let has = draft.statements.iter().any(|statement| statement.text.contains(said));
+            let about = said.split('.').next().unwrap_or("");
+            let found: Vec<&str> =
+                draft.statements.iter().map(|s| s.text.as_str()).filter(|text| text.contains(about)).collect();
+            assert!(has, "{said}: {found:#?}");
+        }
+    }
 }

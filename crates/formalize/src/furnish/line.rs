@@ -74,7 +74,7 @@ pub fn stand_up(plan: &mut Plan) {
     let row = plan.draft.things[line.places].formation.clone();
     let along = row.iter().map(|[x, ..]| *x).fold(0.0, f64::max);
     let usual = Plan::size(&plan.draft.things[line.conveyor].category.replace('_', " "));
-    let long = if belt == usual { belt[0].max(along + place[0] / 2.0) } else { belt[0] };
+    let long = if belt == usual { belt[0].max(along + place[0]) } else { belt[0] };
     let mut pieces = vec![Piece { thing: line.conveyor, element: None, at: Pose::default() }];
     let mut blocks = vec![(Pose::default(), [long, belt[1], belt[2]])];
     let mut depth = belt[2] / 2.0;

@@ -157,6 +157,7 @@ pub fn refine(brief: &mut Brief) {
     stools_at_counter(brief);
     shaped_counter(brief);
     worktop(brief);
+    rows::long_shelves(brief);
     for at in 0..brief.things.len() {
         let usual = several(brief, at);
         let n = match rows(brief, at) {

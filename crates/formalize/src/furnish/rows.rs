@@ -7,6 +7,7 @@ use super::kinds::{Line, PlanPlace};
 use super::plan::{AtWall, Plan, metres};
 use super::spots::{for_counters, for_tills, gate};
 use super::{groups, place, stand};
+use crate::brief::{Brief, Fact, FactKind, Pattern};
 
 /// A dining room of more has lights beside those over its table (square metres).
 const WIDE: f64 = 30.0;
@@ -170,6 +171,26 @@ pub fn rows(plan: &mut Plan, noun: &str, n: usize, toward: bool, (why, asked): (
         plan.surround(thing, AtWall::No, 0);
     }
     true
+}
+
+/// "Five bookshelves in five rows": each is as long as a row of a few.
+pub fn long_shelves(brief: &mut Brief) {
+    const IN_ROW: f64 = 4.0;
+    for at in 0..brief.things.len() {
+        let n = brief.count(at);
+        let is_row = |fact: &Fact| fact.of == [at] && fact.what == FactKind::Pattern(Pattern::Rows(Some(n)));
+        let in_rows = n > 2 && brief.facts.iter().any(is_row);
+        let thing = &brief.things[at];
+        let named = thing.words.last().is_some_and(|word| matches!(word.as_str(), "bookshelf" | "bookcase" | "shelf"));
+        let Some(kind) = brief.rooms.get(thing.room).and_then(|room| super::kinds::of(&room.name)) else { continue };
+        let is_public = matches!(kind.dress, "library" | "shop") || kind.dress == "books";
+        if in_rows && named && is_public && thing.size[0].is_none() {
+            let wide = Plan::size(&thing.name())[0];
+            // Half of the room at most: there are other things in it.
+            let most = (kind.size[0] / 2.0 / wide).floor().clamp(1.0, IN_ROW);
+            brief.things[at].size[0] = Some((wide * most * 100.0).round() / 100.0);
+        }
+    }
 }
 
 /// Whether someone works at it, who has others of a team around.
