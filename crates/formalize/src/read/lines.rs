@@ -79,7 +79,7 @@ fn between_them(tokens: &mut Vec<Token>, i: usize) -> bool {
             ["about" | "around" | "roughly" | "approximately" | "some" | "nearly", _] => 1,
             _ => 0,
         };
-    let rows = tokens[sentence(tokens, i)..i].iter().any(|t| t.is("rows"));
+    let rows = tokens[sentence(tokens, i)..i].iter().any(|t| t.is("rows") || t.is("lines"));
     let measured = |from: usize| length(tokens.get(from..)?).map(|(_, used)| from + used);
     let Some(end) = measured(about).filter(|_| joins && rows) else { return false };
     let space = match [word(tokens, end), word(tokens, end + 1)] {
@@ -127,7 +127,9 @@ fn at_the_end(tokens: &mut Vec<Token>, i: usize) -> bool {
         let before = (k.saturating_sub(5)..k).any(|k| IN_ROWS.contains(&word(tokens, k)));
         rows && (of || before)
     };
-    let rows = (i.saturating_sub(BACK)..i).any(is_rows);
+    let faces = |k: usize| matches!(word(tokens, k), "facing" | "face") && word(tokens, k + 1) == "each";
+    let says = |is: &dyn Fn(usize) -> bool| (i.saturating_sub(BACK)..i).any(is);
+    let rows = says(&is_rows) || says(&faces) && says(&|k| word(tokens, k) == "rows");
     let thing = (i.saturating_sub(4)..i).any(|k| noun(tokens, k).is_some_and(|name| name.end == i));
     if !rows || !thing || of && !named || !of && !ends(tokens, to) {
         return false;
@@ -195,6 +197,11 @@ mod tests {
             (
                 "five bookshelves in parallel rows with about 1.2 metres between them.",
                 "five bookshelves in 5 rows , about 1.2 metres between the rows .",
+            ),
+            ("pallets in four lines with 2 m between them", "pallets in four lines , 2 m between the rows"),
+            (
+                "two rows of five treadmills facing each other, a bin at the end.",
+                "two rows of five treadmills facing each other , a bin against the right wall .",
             ),
             ("desks in rows with 90 cm between each row", "desks in rows , 90 cm between the rows"),
             ("two rows of racks, at least 1 m apart", "two rows of racks , at least 1 m apart"),

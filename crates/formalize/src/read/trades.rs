@@ -51,10 +51,12 @@ fn trade(tokens: &[Token], i: usize) -> Option<usize> {
     let who = matches!(word(tokens, i), "i" | "we" | "he" | "she" | "they")
         || matches!(word(tokens, i), "my" | "our") && sense(word(tokens, i + 1)) == Some(Sense::Person);
     let inside = |k: &usize| tokens.get(*k).is_some_and(Token::word);
-    let living = |k: &usize| match [word(tokens, *k), word(tokens, k + 1), word(tokens, k + 2)] {
-        ["for", "a" | "my" | "our" | "his" | "her", "living" | "job"] => true,
-        ["as", "a" | "my", "job" | "hobby" | "profession" | "business"] => true,
-        _ => false,
+    let living = |k: &usize| {
+        matches!(
+            [word(tokens, *k), word(tokens, k + 1), word(tokens, k + 2)],
+            ["for", "a" | "my" | "our" | "his" | "her", "living" | "job"]
+                | ["as", "a" | "my", "job" | "hobby" | "profession" | "business"]
+        )
     };
     let end = (i + 2..i + 2 + FAR).take_while(inside).find(living)? + 3;
     let verb = i + 1 + usize::from(matches!(word(tokens, i), "my" | "our"));

@@ -269,7 +269,7 @@ fn along_line(tokens: &mut Vec<Token>, i: usize) -> bool {
         word(tokens, k) == "in" && matches!(word(tokens, k + 1), "a" | "one") && word(tokens, k + 2) == "row"
     };
     let conveyor = conveyor(tokens);
-    if !(side || row(end) && ends(tokens, end + 3)) || !is_line(tokens) && !(conveyor.is_some() && side) {
+    if !(side || row(end) && ends(tokens, end + 3)) || !(is_line(tokens) || conveyor.is_some() && side) {
         return false;
     }
     let after = if side { end + 3 } else { end };

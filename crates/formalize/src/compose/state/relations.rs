@@ -23,6 +23,8 @@ const LOW: f64 = 0.5;
 pub(in crate::compose) const ACROSS: f64 = 1.5;
 /// How far "around" reaches, for what is no seat.
 pub(super) const AROUND: f64 = 1.2;
+/// What is as wide and as deep and is around something encloses it (metres).
+const ENCLOSING: f64 = 1.5;
 
 impl Named<'_> {
     pub(super) fn rel(&self, fact: &Fact, a: usize, rel: Rel, b: usize, out: &mut Vec<String>) {
@@ -222,6 +224,9 @@ impl Named<'_> {
             _ => None,
         });
         let d = gap.map_or(if seat { self.seat_gap(b) } else { AROUND }, |v| v + 0.3).max(self.ring(a, b));
+        // The sides of a fence are as far from what is in it as it is large.
+        let [w, _, depth] = self.sizes[a];
+        let d = if n == 1 && w.min(depth) > ENCLOSING { d.max(w.max(depth) / 2.0) } else { d };
         if seat && m == 1 && n > 1 && self.array(a) && self.brief.things[b].name().ends_with("fireplace") {
             // It is at a wall: one of the seats is before it, the others are on both sides.
             out.push(format!("{verb} forall a in {of}: near(a, {to}, {});", number(BY_FIRE)));
