@@ -32,6 +32,8 @@ const RACKS: (f64, f64) = (0.02, 2.4);
 /// Between workplaces along a conveyor, and between rows of servers (metres).
 const AT_LINE: f64 = 0.1;
 const COLD_AISLE: f64 = 1.2;
+/// Between machines that face each other, where people work at both (metres).
+const WORKED_AT: f64 = 1.6;
 
 /// The grid of an array that stands in rows, unless something else says where its elements are: at a wall, on a table.
 pub fn grid(brief: &Brief, sizes: &[[f64; 3]], a: usize, room: Option<[f64; 3]>) -> Option<Grid> {
@@ -108,6 +110,9 @@ fn lay(
     let faces = faced && !desks;
     if backs {
         behind = 0.02;
+    }
+    if faces && brief.things[a].group == Group::Floor {
+        behind = behind.max(WORKED_AT);
     }
     if !said && middle > 0.0 {
         // What stands in the middle of the room stands between the rows.

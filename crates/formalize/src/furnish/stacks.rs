@@ -46,11 +46,16 @@ pub fn stand_up(plan: &mut Plan, thing: usize) -> bool {
 pub fn in_formation(plan: &mut Plan, thing: usize) -> bool {
     let it = plan.draft.things[thing].clone();
     let group = stand::group(&it.category);
-    let in_groups = group == Group::Table && it.formation.iter().any(|[.., yaw]| *yaw != 0.0);
+    let is_turned = it.formation.iter().any(|[.., yaw]| *yaw != 0.0);
+    let in_groups = group == Group::Table && is_turned;
+    // Machines in two rows face each other.
+    let faces = group == Group::Floor && is_turned;
     let has_corners = plan.draft.rooms[plan.room].outline.is_some();
-    let (Some(size), false, true) =
-        (it.size, it.formation.is_empty() || has_corners, matches!(group, Group::Storage | Group::Seat) || in_groups)
-    else {
+    let (Some(size), false, true) = (
+        it.size,
+        it.formation.is_empty() || has_corners,
+        matches!(group, Group::Storage | Group::Seat) || in_groups || faces,
+    ) else {
         return false;
     };
     // With what stands at each.

@@ -479,7 +479,7 @@ impl Named<'_> {
         }
         let told =
             self.said(a, |w| matches!(w, FactKind::Pattern(Pattern::Rows(_) | Pattern::Row | Pattern::Aisle(_))));
-        let Some(grid) = self.grid(a).filter(|grid| told && !grid.backs && !grid.faces) else { return Vec::new() };
+        let Some(grid) = self.grid(a).filter(|grid| told && !grid.backs) else { return Vec::new() };
         // Single seats stand as the room has them, unless an aisle runs between them.
         if self.group(a) == Group::Seat && grid.aisle == 0.0 {
             return Vec::new();
@@ -487,7 +487,9 @@ impl Named<'_> {
         let place = |i: usize| {
             let (row, column) = (i / grid.columns, i % grid.columns);
             let aside = if 2 * column >= grid.columns { grid.aisle } else { 0.0 };
-            [column as f64 * grid.steps[0] + aside, -(row as f64) * grid.steps[1], 0.0]
+            // The first of two rows that face each other is turned round.
+            let yaw = if grid.faces && row == 0 { 180.0 } else { 0.0 };
+            [column as f64 * grid.steps[0] + aside, -(row as f64) * grid.steps[1], yaw]
         };
         (0..self.counts[a]).map(place).collect()
     }
