@@ -111,7 +111,8 @@ fn lay(
     if backs {
         behind = 0.02;
     }
-    if faces && brief.things[a].group == Group::Floor {
+    let is_rack = brief.things[a].words.last().is_some_and(|word| word == "rack");
+    if faces && brief.things[a].group == Group::Floor && !is_rack {
         behind = behind.max(WORKED_AT);
     }
     if !said && middle > 0.0 {

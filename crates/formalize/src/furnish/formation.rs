@@ -107,6 +107,9 @@ mod tests {
                     the robot arm. there is a fence 4 by 4 m around the robot arm with a safety gate.";
         let line = "an assembly line, 12 m long, with a conveyor and five workbenches in a row in front of the conveyor. there \
                     is a stool in front of each workbench. there is a packing table to the right of the conveyor.";
+        let servers = "a server room with two rows of four racks facing each other.";
+        let machines = "a factory with two rows of four machines facing each other.";
+        let shelves = "a library with five bookshelves in parallel rows with 1.2 m between them.";
         for (request, said) in [
             (cell, "conveyor.pos = robotArm.pos - robotArm.right * 0.8"),
             (cell, "pallet.pos = robotArm.pos + robotArm.right * 0.9"),
@@ -115,6 +118,9 @@ mod tests {
             (cell, "near(fence, robotArm, 2)"),
             (line, "workbench[4].pos = conveyor.pos + conveyor.right * 3.8"),
             (line, "stool[2].pos = conveyor.pos + conveyor.front * 1.38"),
+            (servers, "serverRack[0].pos.z - r * 2.2"),
+            (machines, "machine[0].pos.z - r * 2.7"),
+            (shelves, "bookshelf[0].pos.z - i * 1.5"),
             (line, "packingTable.pos = conveyor.pos - conveyor.right * 5.18"),
         ] {
             let draft = read(request, &Options::default()).draft;
