@@ -11,7 +11,7 @@ pub fn plain(tokens: &mut Vec<Token>) {
     // No text becomes so much longer: whatever rules make of it, reading ends.
     let most = 8 * tokens.len() + 500;
     while i < tokens.len() && tokens.len() < most {
-        let turns: [fn(&mut Vec<Token>, usize) -> bool; 81] = [
+        let turns: [fn(&mut Vec<Token>, usize) -> bool; 82] = [
             super::work::plain,
             super::spelling::plain,
             super::lines::plain,
