@@ -158,6 +158,10 @@ fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
         if brief.things[b].size[0].is_some() || !carries || is_plinth(brief, b) {
             continue;
         }
+        if is_for_two(&brief.things[b]) {
+            out[b][0] = out[b][0].min(FOR_TWO);
+            out[b][2] = out[b][2].min(FOR_TWO);
+        }
         let Load { width, area, sides } = load(brief, out, b);
         let width = width.max(places(&brief.things[b], brief.count(b)));
         let flat = brief.things[b].group == Group::Flat;
@@ -176,6 +180,17 @@ fn by_load(brief: &Brief, out: &mut [[f64; 3]]) {
             out[b][2] = out[b][0];
         }
     }
+}
+
+/// The side of a table at which two sit across from each other (metres; Neufert, Architects' Data: 0.75 to 0.8).
+const FOR_TWO: f64 = 0.8;
+
+/// Whether it is a table that is said to be for two.
+fn is_for_two(thing: &Thing) -> bool {
+    const SAT_AT: [&str; 8] = ["", "dining", "restaurant", "cafe", "café", "bistro", "kitchen", "breakfast"];
+    let kind = thing.words.iter().rev().nth(1).map_or("", String::as_str);
+    let is_table = thing.words.last().is_some_and(|word| word == "table");
+    is_table && SAT_AT.contains(&kind) && thing.places.is_some_and(|places| places <= 2)
 }
 
 /// How long a thing is for the people it is said to be for: they sit around a round table, at both long sides of another,

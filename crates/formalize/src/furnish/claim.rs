@@ -234,7 +234,7 @@ impl Plan<'_> {
                 "inside" => s.text.contains(&format!(", {})", self.draft.rooms[self.room].name)),
                 "around" => around,
                 "inFrontOf" => spread || matches!(part.at, Where::Front(..) | Where::Row(..)),
-                "behind" => spread || matches!(part.at, Where::Enclose(..) | Where::Back(..)),
+                "behind" => spread || matches!(part.at, Where::Enclose(..) | Where::Back(..) | Where::RowBehind(..)),
                 "leftOf" | "rightOf" => spread,
                 // "A nightstand on each side of it": one left and one right, as one looks at its front.
                 "seenLeftOf" | "seenRightOf" => matches!(part.at, Where::Sides(..)),

@@ -22,15 +22,19 @@ const BEFORE: usize = 40;
 
 /// How many times as long as wide a room is that is said to be narrow.
 const NARROW: f64 = 2.2;
+/// The same of a hall.
+const LONG: f64 = 3.2;
 
 /// The sides of a room of so many square metres, if it is said to be narrow.
 pub fn narrow(brief: &Brief, room: usize, area: f64) -> Option<[f64; 2]> {
-    const LEAST: f64 = 2.2;
     let room = &brief.rooms[room];
+    // In a hall one only walks.
+    let is_hall = ["hallway", "hall", "corridor"].iter().any(|hall| room.name.ends_with(hall));
+    let (least, narrow) = if is_hall { (1.5, LONG) } else { (2.2, NARROW) };
     let at = room.source.at();
     let named = brief.request.get(..at.end)?.rsplit(['.', ',', ';', ':', '!', '\n']).next()?.to_lowercase();
     let is_said = named.split(|c: char| !c.is_alphabetic()).any(|word| word == "narrow");
-    let across = (area / NARROW).sqrt().max(LEAST);
+    let across = (area / narrow).sqrt().max(least);
     (is_said && room.size == [None; 3]).then_some([area / across, across])
 }
 

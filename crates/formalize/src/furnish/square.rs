@@ -14,18 +14,8 @@ const LOW: f64 = 0.3;
 const SQUARE: f64 = 0.02;
 
 /// Statements that settle which way a thing looks.
-const TURNS: [&str; 10] = [
-    "againstWall",
-    "inCorner",
-    "facing",
-    "looksAt",
-    "angle",
-    "parallel",
-    "aligned",
-    "around",
-    "connects",
-    "wallMounted",
-];
+const TURNS: [&str; 9] =
+    ["inCorner", "facing", "looksAt", "angle", "parallel", "aligned", "around", "connects", "wallMounted"];
 
 /// Adds that large things stand square to the walls.
 pub fn to_the_walls(draft: &mut Draft) {
@@ -43,9 +33,14 @@ pub fn to_the_walls(draft: &mut Draft) {
 }
 
 fn is_large(thing: &DraftThing) -> bool {
-    let stands = matches!(stand::group(&thing.category), Group::Table | Group::Storage | Group::Bed | Group::Seat);
-    let turned = ["round", "circular", "diagonal", "angled"];
-    let free = thing.look.features.iter().any(|feature| turned.contains(&feature.as_str()));
+    let group = stand::group(&thing.category);
+    let stands = matches!(group, Group::Table | Group::Storage | Group::Bed | Group::Seat);
+    // What holds things is drawn square, whatever it is called.
+    let turned = |feature: &str| {
+        matches!(feature, "diagonal" | "angled")
+            || matches!(feature, "round" | "circular") && matches!(group, Group::Table | Group::Seat)
+    };
+    let free = thing.look.features.iter().any(|feature| turned(feature));
     stands && !free && thing.size.is_some_and(|[w, h, d]| w.max(d) >= LARGE && h > LOW)
 }
 

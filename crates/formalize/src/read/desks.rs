@@ -17,6 +17,21 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         || shared(tokens, i)
         || own(tokens, i)
         || one_each(tokens, i)
+        || people_facing(tokens, i)
+}
+
+/// "Six desks in two rows with people facing each other": the desks face each other.
+fn people_facing(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let who = matches!(word(tokens, i + 1), "people" | "staff" | "everyone" | "pupils" | "students" | "colleagues");
+    let with = matches!(word(tokens, i), "with" | "so") && who;
+    let sit = i + 2 + usize::from(matches!(word(tokens, i + 2), "sit" | "sitting" | "seated"));
+    let face = matches!(word(tokens, sit), "facing" | "face") && word(tokens, sit + 1) == "each";
+    let desks = (i.saturating_sub(6)..i).any(|k| DESKS.contains(&word(tokens, k)));
+    if !with || !face || word(tokens, sit + 2) != "other" || !desks {
+        return false;
+    }
+    put(tokens, i, sit + 3, &["facing", "each", "other"]);
+    true
 }
 
 fn whole(tokens: &[Token], i: usize) -> Option<usize> {

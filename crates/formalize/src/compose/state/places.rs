@@ -302,6 +302,16 @@ impl Named<'_> {
         })
     }
 
+    /// Half of several at one of two walls, and half at the other.
+    fn at_both(&self, a: usize, axis: char) -> String {
+        let half = self.counts[a].div_ceil(2);
+        let looks = self.elements(a).into_iter().enumerate().map(|(i, x)| {
+            let test = if i < half { ">= 0.9" } else { "<= -0.9" };
+            format!("{x}.front.{axis} {test}")
+        });
+        looks.collect::<Vec<_>>().join(" and ")
+    }
+
     /// At which wall: its back is to it.
     fn wall(&self, k: usize, a: usize, which: &[String]) -> Option<String> {
         for w in which {
@@ -312,6 +322,9 @@ impl Named<'_> {
                 }
                 (_, "long" | "longer" | "longest" | "short" | "shorter" | "side" | "end") => {
                     let axis = self.axis(a, which)?;
+                    if which.iter().any(|w| w == "each") && self.counts[a] > 1 {
+                        return Some(self.at_both(a, axis));
+                    }
                     return Some(self.all(a, |x| format!("abs({x}.front.{axis}) >= 0.9")));
                 }
                 (_, "opposite" | "other" | "same" | "opposing") => {
