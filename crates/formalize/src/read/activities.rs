@@ -293,6 +293,11 @@ mod tests {
     #[test]
     fn what_people_do_asks_for_furniture() {
         for (said, becomes) in [
+            (
+                "a salon. customers wait on a row of four seats, a till.",
+                "a salon . there is a row of four seats , a till .",
+            ),
+            ("a salon. customers wait in the hall.", "a salon . customers wait in the hall ."),
             ("a flat with a bed and somewhere to work from home.", "a flat with a bed and a work nook ."),
             ("a bedroom with a quiet place to read by the window", "a bedroom with a reading nook by the window"),
             ("a room with a place to sit and read", "a room with a reading nook"),

@@ -215,6 +215,7 @@ mod tests {
             ),
             ("a classroom for 24 kids sitting in pairs.", "a classroom for 24 kids with double desks ."),
             ("twelve desks for two pupils each.", "twelve double desks ."),
+            ("six desks in two rows with people facing each other.", "six desks in two rows facing each other ."),
             ("cots for 6 babies along the wall", "6 cots along the wall"),
             ("i teach first grade and want to try a new layout. five tables", "a classroom . five tables"),
             ("two beds for four people", "two beds for four people"),

@@ -27,8 +27,8 @@ pub fn plain(tokens: &mut Vec<Token>, i: usize) -> bool {
         stocked,
         stick,
         have_got,
-        plus,
         lined_up,
+        around_walls,
     ];
     turns.iter().any(|turn| turn(tokens, i))
 }
@@ -53,7 +53,8 @@ fn starts(tokens: &[Token], i: usize) -> bool {
 }
 
 fn article(tokens: &[Token], i: usize) -> bool {
-    matches!(word(tokens, i), "a" | "an" | "the" | "some" | "my" | "our") || is_number(tokens, i)
+    matches!(word(tokens, i), "a" | "an" | "the" | "some" | "my" | "our")
+        || tokens.get(i..).is_some_and(|rest| count(rest).is_some())
 }
 
 /// "Stick a table near the door": put it there.
@@ -92,13 +93,16 @@ fn lined_up(tokens: &mut Vec<Token>, i: usize) -> bool {
     true
 }
 
-/// "A printer by the entrance, plus two beanbags": and two.
-fn plus(tokens: &mut Vec<Token>, i: usize) -> bool {
-    let said = word(tokens, i) == "plus" && i > 0 && article(tokens, i + 1);
-    if said {
-        put(tokens, i, i + 1, &["and"]);
+/// "A waiting room with eight chairs around the walls": not at one of them alone.
+fn around_walls(tokens: &mut Vec<Token>, i: usize) -> bool {
+    let said = word(tokens, i) == "around" && word(tokens, i + 1) == "the" && word(tokens, i + 2) == "walls";
+    let sits = i > 0 && matches!(word(tokens, i - 1), "chairs" | "seats" | "benches");
+    let waits = tokens.iter().any(|t| t.is("waiting"));
+    let turned = said && sits && waits;
+    if turned {
+        put(tokens, i, i + 3, &["along", "both", "side", "walls"]);
     }
-    said
+    turned
 }
 
 fn is_number(tokens: &[Token], i: usize) -> bool {
@@ -328,6 +332,15 @@ mod tests {
             ("do not forget two lamps.", "there is two lamps ."),
             ("and don't forget to add a bin.", "and add a bin ."),
             ("forget the lamp.", "forget the lamp ."),
+            ("stick a table near the door.", "put a table near the door ."),
+            ("a wall, a stick and a ball", "a wall , a stick and a ball"),
+            ("we've got a 5 x 6 m lounge.", "there is a 5 x 6 m lounge ."),
+            ("eight tables for two lined up along the windows.", "eight tables for two along the windows ."),
+            (
+                "a waiting room with eight chairs around the walls.",
+                "a waiting room with eight chairs along both side walls .",
+            ),
+            ("a hall with pictures around the walls.", "a hall with pictures around the walls ."),
             ("a lamp on 4 metres", "a lamp on 4 metres"),
             ("a low table from glass, a sofa", "a low table of glass , a sofa"),
             ("a path from glass doors", "a path from glass doors"),
