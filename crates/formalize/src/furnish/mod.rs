@@ -33,6 +33,7 @@ mod place;
 mod plan;
 mod room;
 mod rows;
+mod salon;
 mod seats;
 mod seek;
 mod slots;
@@ -152,6 +153,7 @@ pub fn refine(brief: &mut Brief) {
     whom::instruments(brief);
     bedside_lamps(brief);
     galley::two_rows(brief);
+    salon::stations(brief);
     named(brief);
     team(brief);
     stools_at_counter(brief);
